@@ -1,0 +1,133 @@
+//! The two forms of the distance correction, each in two widths that give the same bits.
+//!
+//! With `d` the difference of the ends now, `r` the difference at the start of the substep, `L` the
+//! rest length and `s_i = stiffness w_i / W` the gain of an end (30 bits, rounded once from the
+//! masses when the plan is made):
+//!
+//! ```text
+//! exact:          g_i = s_i clamp(L - |d|) / |d|         a -= g_a d,  b += g_b d
+//! start of step:  g_i = s_i (L^2 - d.d) / (2 d.r)        a -= g_a r,  b += g_b r
+//! ```
+//!
+//! `g_i` is rounded once to 30 bits, the product once to a position: with equal gains both ends get
+//! the same integer and momentum is exact; otherwise the momentum error of a projection is at most
+//! `(m_a + m_b) (1/2 + |c| / 2^30)` ulp, `c` being the correction.
+//!
+//! A correction is never longer than 64 m (exact: `clamp`) or 0.23 * 1.42 * 1,024 m < 2^32.4 ulp
+//! (start of step: its guard). Particles that coincide have no direction and are left alone.
+
+use super::distance::DistanceForm;
+use crate::math::root::{root_nearest, root_nearest_wide};
+use crate::math::wide::{
+    NARROW_MAX, dot_narrow, dot_wide, is_narrow, round_div, round_div_wide, round_shift,
+    round_shift_wide, sub,
+};
+use crate::particle::DISPLACEMENT_LIMIT;
+
+/// Fractional bits of gains.
+const GAIN_BITS: u32 = 30;
+
+/// A distance constraint, ready to be projected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Link {
+    /// Slots of the two particles.
+    pub(crate) ends: [u32; 2],
+    /// Share of the error that each end takes, 0 to 2^30.
+    pub(crate) gains: [i32; 2],
+    /// At most 2^34 raw.
+    pub(crate) rest_length: i64,
+    pub(crate) form: DistanceForm,
+}
+
+/// What is added to each end.
+pub(crate) type Correction = [[i64; 3]; 2];
+
+impl Link {
+    /// The correction for the ends' positions `now` and at the `start` of the substep.
+    #[inline]
+    pub(crate) fn correct(&self, start: [[i64; 3]; 2], now: [[i64; 3]; 2]) -> Correction {
+        let d = sub(now[1], now[0]);
+        let r = match self.form {
+            DistanceForm::Exact => [0; 3],
+            DistanceForm::StartOfStep => sub(start[1], start[0]),
+        };
+        if is_narrow(d) && is_narrow(r) && self.rest_length <= NARROW_MAX {
+            self.narrow(d, r)
+        } else {
+            self.wide(d, r)
+        }
+    }
+
+    /// Opposite moves of the ends; the same integer where the gains are equal.
+    #[inline]
+    fn at_ends(&self, scaled: impl Fn(i64) -> [i64; 3]) -> Correction {
+        let [gain_a, gain_b] = self.gains.map(i64::from);
+        let at = |gain| if gain == 0 { [0; 3] } else { scaled(gain) };
+        let b = at(gain_b);
+        let a = if gain_a == gain_b { b } else { at(gain_a) };
+        [a.map(|c| -c), b]
+    }
+
+    /// Components of `d` and `r` and the rest length at most 2^30: products fit 64 bits.
+    #[inline]
+    fn narrow(&self, d: [i64; 3], r: [i64; 3]) -> Correction {
+        let length_sq = dot_narrow(d, d); // <= 3 * 2^60
+        if self.form == DistanceForm::StartOfStep {
+            let rest_sq = self.rest_length * self.rest_length; // <= 2^60
+            let error = rest_sq - length_sq;
+            let along = dot_narrow(d, r);
+            let part = rest_sq >> 4;
+            let sound = along > 11 * part && error.abs() < 5 * part;
+            if sound && dot_narrow(r, r) < 2 * rest_sq {
+                return self.at_ends(|gain| {
+                    // 59 + 30 bits over 62; the quotient is below 0.23.
+                    let numerator = i128::from(error) * i128::from(gain);
+                    let g = round_div_wide(numerator, 2 * i128::from(along)) as i64;
+                    r.map(|c| round_shift(c * g, GAIN_BITS)) // 30 + 28 bits
+                });
+            }
+        }
+        let length = root_nearest(length_sq as u64) as i64; // < 2^31, and >= every |component|
+        if length == 0 {
+            return [[0; 3]; 2];
+        }
+        let error = (self.rest_length - length).clamp(-DISPLACEMENT_LIMIT, DISPLACEMENT_LIMIT);
+        self.at_ends(|gain| {
+            let g = round_div(error * gain, length); // 30 + 30 bits
+            // |c| <= length, so |c g| <= |error| 2^30 + |c| / 2 < 2^61.
+            d.map(|c| round_shift(c * g, GAIN_BITS))
+        })
+    }
+
+    /// The same formulas for components of `d` and `r` up to 2^62.2.
+    #[cold]
+    fn wide(&self, d: [i64; 3], r: [i64; 3]) -> Correction {
+        let length_sq = dot_wide(d, d); // < 2^126
+        let rest_length = i128::from(self.rest_length);
+        let shrink = |c: i64, g: i128| round_shift_wide(i128::from(c) * g, GAIN_BITS) as i64;
+        if self.form == DistanceForm::StartOfStep {
+            let rest_sq = rest_length * rest_length; // <= 2^68
+            let error = rest_sq - length_sq;
+            let along = dot_wide(d, r);
+            let part = rest_sq >> 4;
+            let sound = along > 11 * part && error.abs() < 5 * part;
+            if sound && dot_wide(r, r) < 2 * rest_sq {
+                return self.at_ends(|gain| {
+                    // 67 + 30 bits over 71: |d| and |r| are below 1.42 rest lengths here.
+                    let g = round_div_wide(error * i128::from(gain), 2 * along);
+                    r.map(|c| shrink(c, g))
+                });
+            }
+        }
+        let length = root_nearest_wide(length_sq as u128) as i128; // < 2^63
+        if length == 0 {
+            return [[0; 3]; 2];
+        }
+        let limit = i128::from(DISPLACEMENT_LIMIT);
+        let error = (rest_length - length).clamp(-limit, limit);
+        self.at_ends(|gain| {
+            let g = round_div_wide(error * i128::from(gain), length);
+            d.map(|c| shrink(c, g)) // |c g| <= |error| 2^30 + |c| / 2
+        })
+    }
+}

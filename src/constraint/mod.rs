@@ -1,0 +1,37 @@
+//! Floor 4: rules over particles, and the loop that relaxes them.
+//!
+//! A constraint is *projected*: the particles are moved, in inverse proportion to their masses,
+//! until its rule holds. Projecting all of them once is a relaxation; each disturbs its neighbours,
+//! so relaxation is iterated, and what is left over is finished in the next ticks (Jakobsen 2003).
+//!
+//! | kind | rule | moves |
+//! |---|---|---|
+//! | [`Distance`] | two particles keep a distance | both, by their masses |
+//! | [`HalfSpace`] | every movable particle stays on the side that the normal points to | the particle |
+//!
+//! Order: distances colour by colour, then half-spaces in slot order, then the next iteration.
+
+mod colour;
+mod correction;
+mod distance;
+mod half_space;
+mod plan;
+mod relax;
+
+pub use distance::{Distance, DistanceForm, DistanceId};
+pub use half_space::{HalfSpace, HalfSpaceId};
+pub(crate) use half_space::{Surface, Touch, collide, settle};
+pub(crate) use plan::Plan;
+
+/// The most distance constraints a world may have.
+///
+/// With at most 64 iterations and 2^32.3 raw units a correction (`correction.rs`), relaxation moves
+/// a particle by less than 2^60.3 raw units, so positions stay below 2^61.2 and differences of
+/// positions below 2^62.2: every sum and dot product of the relaxation fits its type.
+pub const DISTANCES_MAX: usize = 1 << 22;
+
+/// The most half-spaces a world may have.
+pub const HALF_SPACES_MAX: usize = 64;
+
+/// The most relaxations in a substep.
+pub const ITERATIONS_MAX: u32 = 64;

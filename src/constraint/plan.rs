@@ -1,0 +1,104 @@
+//! The relaxation's working copy of the constraints: a cache.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use super::colour::{OVERFLOW, colour};
+use super::correction::Link;
+use super::distance::{Distance, DistanceForm};
+use crate::math::wide::round_div_wide;
+use crate::particle::Particle;
+use crate::store::Table;
+
+/// All active distance constraints, sorted by colour, then by slot.
+///
+/// A function of the constraints and of the particles' properties, rebuilt when either changes.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Plan {
+    links: Vec<Link>,
+    /// Where each colour ends in `links`.
+    ends: Vec<u32>,
+}
+
+impl Plan {
+    pub(crate) fn new(distances: &Table<Distance>, particles: &Table<Particle>) -> Self {
+        let links: Vec<Link> =
+            distances.iter().filter_map(|(_, distance)| link(distance, particles)).collect();
+        let movable = |link: &Link| {
+            let end = |k: usize| (link.gains[k] > 0).then_some(link.ends[k]);
+            [end(0), end(1)]
+        };
+        let movable: Vec<_> = links.iter().map(movable).collect();
+        let colours = colour(&movable, particles.rows().len());
+        Self::sorted(&links, &colours)
+    }
+
+    /// Counting sort by colour; stable, so that slots stay in order.
+    fn sorted(links: &[Link], colours: &[u8]) -> Self {
+        let mut ends = vec![0_u32; usize::from(OVERFLOW) + 1];
+        for &colour in colours {
+            ends[usize::from(colour)] += 1;
+        }
+        let mut sum = 0;
+        let mut next = ends.clone();
+        for (next, end) in next.iter_mut().zip(&mut ends) {
+            *next = sum;
+            sum += *end;
+            *end = sum;
+        }
+        let empty = Link {
+            ends: [0; 2],
+            gains: [0; 2],
+            rest_length: 0,
+            form: DistanceForm::Exact,
+        };
+        let mut sorted = vec![empty; links.len()];
+        for (link, &colour) in links.iter().zip(colours) {
+            let place = &mut next[usize::from(colour)];
+            sorted[*place as usize] = *link;
+            *place += 1;
+        }
+        Self { links: sorted, ends }
+    }
+
+    /// The colours in order: their links, and whether no two of them share a movable end.
+    pub(crate) fn colours(&self) -> impl Iterator<Item = (&[Link], bool)> {
+        let mut start = 0;
+        self.ends.iter().enumerate().filter_map(move |(colour, &end)| {
+            let links = &self.links[start as usize..end as usize];
+            start = end;
+            (!links.is_empty()).then_some((links, colour < usize::from(OVERFLOW)))
+        })
+    }
+}
+
+/// The working copy of one constraint, or `None` if it cannot move anything.
+fn link(distance: &Distance, particles: &Table<Particle>) -> Option<Link> {
+    let Distance { a, b, rest_length, stiffness, form, enabled, user: _ } = *distance;
+    let (particle_a, particle_b) = (particles.get(a.0)?, particles.get(b.0)?);
+    if !(enabled && particle_a.enabled && particle_b.enabled) {
+        return None;
+    }
+    let gains = gains([particle_a, particle_b], i64::from(stiffness.raw()));
+    let moves = gains.iter().any(|&gain| gain > 0);
+    let ends = [a.0.index, b.0.index];
+    moves.then_some(Link { ends, gains, rest_length: rest_length.raw(), form })
+}
+
+/// What each end takes of an error: `stiffness w_i / (w_a + w_b)`, and `w_a / W = m_b / (m_a + m_b)`.
+///
+/// Exact from the masses and rounded once. The lightest against the heaviest particle gives
+/// 10^-9 of 2^30: a heavy particle gets little, but never nothing by accident of an inverse mass.
+fn gains(ends: [&Particle; 2], stiffness: i64) -> [i32; 2] {
+    // Masses are at most 2^44 raw, the stiffness 2^30: 74 bits; a gain is at most 2^30.
+    let masses = ends.map(|end| i128::from(end.mass.raw()));
+    let share = |mine: usize, other: usize| match (ends[mine].pinned, ends[other].pinned) {
+        (true, _) => 0,
+        (false, true) => stiffness as i32,
+        (false, false) => {
+            let numerator = i128::from(stiffness) * masses[other];
+            round_div_wide(numerator, masses[0] + masses[1]) as i32
+        }
+    };
+    [share(0, 1), share(1, 0)]
+}

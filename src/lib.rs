@@ -1,0 +1,9 @@
+//! verlock
+#![cfg_attr(not(feature = "std"), no_std)]
+extern crate alloc;
+
+pub mod constraint;
+pub mod math;
+pub mod particle;
+pub mod store;
+pub mod world;

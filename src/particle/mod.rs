@@ -1,0 +1,28 @@
+//! Floor 3: particles and their motion.
+//!
+//! A particle is a point with a mass. Its motion is kept as a position and the displacement of the
+//! last substep, which is all that Verlet integration needs: there is no velocity to disagree with.
+//!
+//! | array | unit | range |
+//! |---|---|---|
+//! | position | metres, 24 fractional bits in `i64` | &#124;x&#124; <= 2^36 m ([`WORLD_LIMIT`]) |
+//! | displacement | metres a substep, 24 fractional bits in `i32` | &#124;d&#124; <= 64 m ([`DISPLACEMENT_LIMIT`]) |
+
+mod attributes;
+mod set;
+mod verlet;
+
+pub use attributes::{Particle, ParticleSpec, RangeError};
+pub(crate) use attributes::within;
+pub use set::{ParticleId, ParticleSet};
+pub(crate) use verlet::{Drive, Fault, Pace, PinMotion, Substep, acceleration, clamp_length};
+
+/// No position component leaves +-2^36 m (raw: 2^60). Sums of three such numbers fit 64 bits.
+pub const WORLD_LIMIT: i64 = 1 << 60;
+
+/// No displacement component of one substep exceeds 64 m (raw: 2^30), so that it fits 32 bits and
+/// products of two of them fit 62.
+pub const DISPLACEMENT_LIMIT: i64 = 1 << 30;
+
+/// The most particle slots a world may have.
+pub const PARTICLES_MAX: usize = 1 << 22;

@@ -1,0 +1,19 @@
+//! Floor 0: how objects are kept.
+//!
+//! An object lives in a numbered slot. A [`Handle`] names a slot *and* the generation of its
+//! tenant, so that a handle to something removed is recognised instead of reaching its successor.
+//! [`Slots`] hands the slots out, the lowest free one first: which slot an object gets is a
+//! function of the history alone. A [`Column`] holds seldom changed records, shared between clones;
+//! a [`Table`] gives such records handles; a [`Memo`] keeps a derived value until its source changes.
+
+mod column;
+mod handle;
+mod memo;
+mod slots;
+mod table;
+
+pub use column::Column;
+pub use handle::Handle;
+pub use memo::Memo;
+pub use slots::Slots;
+pub use table::Table;

@@ -1,0 +1,218 @@
+//! Carrying out the commands of a tick.
+
+use super::{Action, Command, EventKind, ObjectId, Refusal, World, WorldConfig};
+use crate::math::wide::{add, round_div_wide};
+use crate::math::Vec3;
+use crate::particle::{
+    Particle, ParticleId, RangeError, WORLD_LIMIT, clamp_length, within,
+};
+
+type Done = Result<(), Refusal>;
+
+impl World {
+    /// Carries out the commands in order of player and sequence.
+    pub(super) fn apply(&mut self, commands: &[Command]) {
+        let mut sorted = core::mem::take(&mut self.work.commands);
+        sorted.clear();
+        sorted.extend_from_slice(commands);
+        sorted.sort_unstable();
+        for Command { player, sequence, action } in &sorted {
+            if let Err(why) = self.act(action) {
+                let (player, sequence) = (*player, *sequence);
+                self.report(EventKind::Refused { player, sequence, why });
+            }
+        }
+        self.work.commands = sorted;
+    }
+
+    fn act(&mut self, action: &Action) -> Done {
+        match action {
+            Action::SpawnParticle { token, spec } => {
+                let object = ObjectId::Particle(self.state.spawn_particle(spec)?);
+                self.report(EventKind::Spawned { token: *token, object });
+            }
+            Action::SpawnDistance { token, distance } => {
+                let object = ObjectId::Distance(self.state.spawn_distance(distance)?);
+                self.report(EventKind::Spawned { token: *token, object });
+            }
+            Action::SpawnHalfSpace { token, half_space } => {
+                let object = ObjectId::HalfSpace(self.state.spawn_half_space(half_space)?);
+                self.report(EventKind::Spawned { token: *token, object });
+            }
+            Action::Remove { object } => self.remove(*object)?,
+            Action::Force { particle, force } => self.force(*particle, *force)?,
+            Action::Impulse { particle, impulse } => self.impulse(*particle, *impulse)?,
+            Action::SetVelocity { particle, velocity } => {
+                let row = *self.movable(*particle)?;
+                let displacement = self.state.displacement_for(velocity.raw(), &row)?;
+                self.state.particles.displacement[particle.0.slot()] = displacement;
+            }
+            Action::SetAcceleration { particle, acceleration } => {
+                self.edit(*particle, |row| row.acceleration = *acceleration)?;
+            }
+            Action::SetMass { particle, mass } => self.edit(*particle, |row| row.mass = *mass)?,
+            Action::SetGravityScale { particle, scale } => {
+                self.edit(*particle, |row| row.gravity_scale = *scale)?;
+            }
+            Action::SetPinned { particle, pinned } => {
+                self.edit(*particle, |row| row.pinned = *pinned)?;
+            }
+            Action::MovePin { particle, target } => self.move_pin(*particle, *target)?,
+            Action::Teleport { particle, position } => {
+                self.row(*particle)?;
+                check_position(*position, "position")?;
+                self.state.particles.position[particle.0.slot()] = position.raw();
+            }
+            Action::SetRestLength { distance, rest_length } => {
+                let stale = Refusal::Stale { field: "distance" };
+                let mut row = *self.state.distances.get(distance.0).ok_or(stale)?;
+                row.rest_length = *rest_length;
+                row.validate()?;
+                self.state.distances.set(distance.0, row);
+            }
+            Action::SetEnabled { object, enabled } => self.set_enabled(*object, *enabled)?,
+            Action::SetUser { object, user } => self.set_user(*object, *user)?,
+            Action::Configure { config } => self.configure(config)?,
+        }
+        Ok(())
+    }
+
+    fn row(&self, id: ParticleId) -> Result<&Particle, Refusal> {
+        self.state.particles.particle(id).ok_or(Refusal::Stale { field: "particle" })
+    }
+
+    fn movable(&self, id: ParticleId) -> Result<&Particle, Refusal> {
+        let row = self.row(id)?;
+        if row.is_movable() { Ok(row) } else { Err(Refusal::NotMovable) }
+    }
+
+    /// Changes a particle's properties if the result is valid.
+    fn edit(&mut self, id: ParticleId, change: impl FnOnce(&mut Particle)) -> Done {
+        let mut row = *self.row(id)?;
+        change(&mut row);
+        row.validate()?;
+        self.state.particles.table.set(id.0, row);
+        Ok(())
+    }
+
+    fn remove(&mut self, object: ObjectId) -> Done {
+        let stale = Refusal::Stale { field: "object" };
+        let removed = match object {
+            ObjectId::Particle(id) => self.state.particles.remove(id),
+            ObjectId::Distance(id) => self.state.distances.remove(id.0).is_some(),
+            ObjectId::HalfSpace(id) => self.state.half_spaces.remove(id.0).is_some(),
+        };
+        if !removed {
+            return Err(stale);
+        }
+        self.report(EventKind::Removed { object });
+        if let ObjectId::Particle(gone) = object {
+            self.work.removed.insert(gone);
+        }
+        Ok(())
+    }
+
+    /// Removes the constraints whose particles were removed in this tick. O(constraints).
+    pub(super) fn remove_orphans(&mut self) {
+        if self.work.removed.is_empty() {
+            return;
+        }
+        let removed = core::mem::take(&mut self.work.removed);
+        let orphans: alloc::vec::Vec<_> = self
+            .distances()
+            .filter(|(_, distance)| removed.contains(&distance.a) || removed.contains(&distance.b))
+            .map(|(id, _)| id)
+            .collect();
+        for id in orphans {
+            self.state.distances.remove(id.0);
+            self.report(EventKind::Removed { object: ObjectId::Distance(id) });
+        }
+    }
+
+    fn force(&mut self, id: ParticleId, force: Vec3) -> Done {
+        let mass = i128::from(self.movable(id)?.mass.raw());
+        // a in 2^-40: F 2^40 / m, both raw: 63 + 40 bits.
+        let acceleration = force.raw().map(|f| round_div_wide(i128::from(f) << 40, mass));
+        let before = self.work.forces.get(&id).copied().unwrap_or_default();
+        let limit = i128::from(Particle::ACCELERATION_MAX.raw()) << 16;
+        let mut sum = [0; 3];
+        for k in 0..3 {
+            let total = i128::from(before[k]) + acceleration[k];
+            if total.abs() > limit {
+                return Err(RangeError { field: "force" }.into());
+            }
+            sum[k] = total as i64; // within the limit, below 2^58
+        }
+        self.work.forces.insert(id, sum);
+        Ok(())
+    }
+
+    fn impulse(&mut self, id: ParticleId, impulse: Vec3) -> Done {
+        let mass = self.movable(id)?.mass;
+        let kick = self.state.config.pace().kick(impulse.raw(), mass);
+        let displacement = &mut self.state.particles.displacement[id.0.slot()];
+        let sum = add(displacement.map(i64::from), kick);
+        let cut = clamp_length(sum, self.state.config.displacement_max.raw());
+        *displacement = cut.unwrap_or(sum).map(|d| d as i32); // at most 2^30
+        if cut.is_some() {
+            self.report(EventKind::DisplacementClamped { particle: id });
+        }
+        Ok(())
+    }
+
+    fn move_pin(&mut self, id: ParticleId, target: Vec3) -> Done {
+        let row = self.row(id)?;
+        if !(row.pinned && row.enabled) {
+            return Err(Refusal::NotPinned);
+        }
+        check_position(target, "target")?;
+        self.work.pins.insert(id, target.raw());
+        Ok(())
+    }
+
+    fn set_enabled(&mut self, object: ObjectId, enabled: bool) -> Done {
+        match object {
+            ObjectId::Particle(id) => return self.edit(id, |row| row.enabled = enabled),
+            ObjectId::Distance(id) => {
+                self.state.distances.get_mut(id.0).map(|row| row.enabled = enabled)
+            }
+            ObjectId::HalfSpace(id) => {
+                self.state.half_spaces.get_mut(id.0).map(|row| row.enabled = enabled)
+            }
+        }
+        .ok_or(Refusal::Stale { field: "object" })
+    }
+
+    fn set_user(&mut self, object: ObjectId, user: u64) -> Done {
+        match object {
+            ObjectId::Particle(id) => return self.edit(id, |row| row.user = user),
+            ObjectId::Distance(id) => {
+                self.state.distances.get_mut(id.0).map(|row| row.user = user)
+            }
+            ObjectId::HalfSpace(id) => {
+                self.state.half_spaces.get_mut(id.0).map(|row| row.user = user)
+            }
+        }
+        .ok_or(Refusal::Stale { field: "object" })
+    }
+
+    /// Velocities survive a change of the pace; what then exceeds the new maximum is cut.
+    fn configure(&mut self, config: &WorldConfig) -> Done {
+        config.validate()?;
+        let state = &mut self.state;
+        let (old, new) = (state.config.pace(), config.pace());
+        if old != new {
+            state.phase = 0;
+        }
+        let limit = config.displacement_max.raw();
+        for displacement in &mut state.particles.displacement {
+            *displacement = old.rescale(new, *displacement, limit);
+        }
+        state.config = *config;
+        Ok(())
+    }
+}
+
+fn check_position(position: Vec3, field: &'static str) -> Result<(), RangeError> {
+    if within(position, WORLD_LIMIT) { Ok(()) } else { Err(RangeError { field }) }
+}

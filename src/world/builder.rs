@@ -1,0 +1,60 @@
+//! A world before its first tick.
+
+use super::{Refusal, State, World, WorldConfig};
+use crate::constraint::{Distance, DistanceId, HalfSpace, HalfSpaceId};
+use crate::particle::{ParticleId, ParticleSpec, RangeError};
+
+/// Fills a world. The order of creation decides ids and colours: it is part of what peers must
+/// agree on.
+#[derive(Clone, Debug)]
+pub struct WorldBuilder {
+    state: State,
+}
+
+impl WorldBuilder {
+    /// An empty world.
+    ///
+    /// # Errors
+    /// Names the first field of the configuration that is out of its range.
+    pub fn new(config: WorldConfig) -> Result<Self, RangeError> {
+        config.validate()?;
+        Ok(Self { state: State::new(config) })
+    }
+
+    /// Seeds the world's random generator (0 if this is not called).
+    #[must_use]
+    pub fn seed(mut self, seed: u64) -> Self {
+        self.state.seed(seed);
+        self
+    }
+
+    /// Adds a particle.
+    ///
+    /// # Errors
+    /// A number out of its range, or too many particles; nothing was added then.
+    pub fn particle(&mut self, spec: &ParticleSpec) -> Result<ParticleId, Refusal> {
+        self.state.spawn_particle(spec)
+    }
+
+    /// Adds a distance constraint.
+    ///
+    /// # Errors
+    /// A stale id, a number out of its range, or too many constraints; nothing was added then.
+    pub fn distance(&mut self, distance: &Distance) -> Result<DistanceId, Refusal> {
+        self.state.spawn_distance(distance)
+    }
+
+    /// Adds a half-space.
+    ///
+    /// # Errors
+    /// A number out of its range, or too many half-spaces; nothing was added then.
+    pub fn half_space(&mut self, half_space: &HalfSpace) -> Result<HalfSpaceId, Refusal> {
+        self.state.spawn_half_space(half_space)
+    }
+
+    /// The world at tick 0.
+    #[must_use]
+    pub fn build(self) -> World {
+        World::from_state(self.state)
+    }
+}

@@ -1,0 +1,86 @@
+//! What a world can be set to.
+
+use serde::{Deserialize, Serialize};
+
+use crate::constraint::ITERATIONS_MAX;
+use crate::math::{Real, Vec3};
+use crate::particle::{DISPLACEMENT_LIMIT, Pace, Particle, RangeError, acceleration, within};
+use crate::real;
+
+/// Configuration of a world: state, changed only by [`Action::Configure`](super::Action::Configure).
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
+pub struct WorldConfig {
+    /// Ticks per second, 1 to 1,000. Default 60. Velocities survive a change, rounded once.
+    pub tick_rate: u32,
+    /// Substeps per tick, 1 to 64. Default 4: better than more iterations at the same cost.
+    pub substeps: u32,
+    /// Relaxations per substep, 1 to 64. Default 1.
+    pub iterations: u32,
+    /// m/s^2, each component within +-1,000. Default (0, -9.81, 0).
+    pub gravity: Vec3,
+    /// Share of its velocity that a particle loses in a second, as a rate: 0 to 1,000 per second,
+    /// at most `tick_rate`. Default 0.
+    pub damping: Real,
+    /// Metres that a particle may move in one substep, more than 0, at most 64. Default 64. What
+    /// would go further is cut, with an event.
+    pub displacement_max: Real,
+}
+
+impl WorldConfig {
+    /// Greatest tick rate.
+    pub const TICK_RATE_MAX: u32 = 1000;
+    /// Greatest number of substeps.
+    pub const SUBSTEPS_MAX: u32 = 64;
+    /// Greatest component of gravity.
+    pub const GRAVITY_MAX: Real = Real::from_int(1000);
+    /// Greatest displacement in a substep.
+    pub const DISPLACEMENT_MAX: Real = Real::from_raw(DISPLACEMENT_LIMIT);
+
+    /// Checks every declared range.
+    ///
+    /// # Errors
+    /// Names the first field that is out of its range.
+    pub fn validate(&self) -> Result<(), RangeError> {
+        let Self { tick_rate, substeps, iterations, gravity, damping, displacement_max } = self;
+        let check = |good: bool, field| if good { Ok(()) } else { Err(RangeError { field }) };
+        check((1..=Self::TICK_RATE_MAX).contains(tick_rate), "tick_rate")?;
+        check((1..=Self::SUBSTEPS_MAX).contains(substeps), "substeps")?;
+        check((1..=ITERATIONS_MAX).contains(iterations), "iterations")?;
+        check(within(*gravity, Self::GRAVITY_MAX.raw()), "gravity")?;
+        let whole = i64::from(*tick_rate) << Real::FRACTION_BITS;
+        check((0..=whole).contains(&damping.raw()), "damping")?;
+        let displacements = Real::ULP..=Self::DISPLACEMENT_MAX;
+        check(displacements.contains(displacement_max), "displacement_max")
+    }
+
+    /// Substeps per second.
+    pub(crate) const fn pace(&self) -> Pace {
+        Pace::new(self.tick_rate * self.substeps) // at most 64,000
+    }
+
+    /// Share of the displacement that a substep loses, 32 fractional bits, at most 1.
+    pub(crate) fn damping_per_substep(&self) -> u64 {
+        let rate = i64::from(self.tick_rate * self.substeps);
+        // damping <= 2^34 raw: 42 bits.
+        let shift = 32 - Real::FRACTION_BITS;
+        crate::math::wide::round_div(self.damping.raw() << shift, rate).unsigned_abs()
+    }
+
+    /// The acceleration of a particle under this gravity.
+    pub(crate) fn acceleration(&self, particle: &Particle) -> [i64; 3] {
+        acceleration(particle, self.gravity.raw())
+    }
+}
+
+impl Default for WorldConfig {
+    fn default() -> Self {
+        Self {
+            tick_rate: 60,
+            substeps: 4,
+            iterations: 1,
+            gravity: Vec3::new(Real::ZERO, real!("-9.81"), Real::ZERO),
+            damping: Real::ZERO,
+            displacement_max: Self::DISPLACEMENT_MAX,
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! All that is saved and hashed.
+
+use super::{Refusal, WorldConfig};
+use crate::constraint::{
+    DISTANCES_MAX, Distance, DistanceId, HALF_SPACES_MAX, HalfSpace, HalfSpaceId,
+};
+use crate::math::Pcg;
+use crate::particle::{PARTICLES_MAX, ParticleId, ParticleSet, ParticleSpec, RangeError};
+use crate::store::Table;
+
+/// Everything whose loss would change the next tick or the next event; nothing else.
+#[derive(Debug)]
+pub(crate) struct State {
+    pub(crate) tick: u64,
+    /// Counts substeps modulo [`Pace::phases`](crate::particle::Pace::phases).
+    pub(crate) phase: u64,
+    pub(crate) config: WorldConfig,
+    pub(crate) random: Pcg,
+    pub(crate) particles: ParticleSet,
+    pub(crate) distances: Table<Distance>,
+    pub(crate) half_spaces: Table<HalfSpace>,
+}
+
+/// The stream of the world's generator among all of its seed.
+const RANDOM_STREAM: u64 = 0;
+
+impl State {
+    pub(super) fn new(config: WorldConfig) -> Self {
+        Self {
+            tick: 0,
+            phase: 0,
+            config,
+            random: Pcg::new(0, RANDOM_STREAM),
+            particles: ParticleSet::default(),
+            distances: Table::default(),
+            half_spaces: Table::default(),
+        }
+    }
+
+    pub(super) fn seed(&mut self, seed: u64) {
+        self.random = Pcg::new(seed, RANDOM_STREAM);
+    }
+
+    pub(super) fn spawn_particle(&mut self, spec: &ParticleSpec) -> Result<ParticleId, Refusal> {
+        spec.validate()?;
+        let ParticleSpec { position, velocity, particle } = spec;
+        if !self.particles.table.slots().has_room(PARTICLES_MAX) {
+            return Err(Refusal::Full);
+        }
+        let displacement = self.displacement_for(velocity.raw(), particle)?;
+        Ok(self.particles.insert(position.raw(), displacement, *particle))
+    }
+
+    pub(super) fn spawn_distance(&mut self, distance: &Distance) -> Result<DistanceId, Refusal> {
+        distance.validate()?;
+        for (end, field) in [(distance.a, "a"), (distance.b, "b")] {
+            if !self.particles.contains(end) {
+                return Err(Refusal::Stale { field });
+            }
+        }
+        if !self.distances.slots().has_room(DISTANCES_MAX) {
+            return Err(Refusal::Full);
+        }
+        Ok(DistanceId(self.distances.insert(*distance)))
+    }
+
+    pub(super) fn spawn_half_space(&mut self, shape: &HalfSpace) -> Result<HalfSpaceId, Refusal> {
+        shape.validate()?;
+        if !self.half_spaces.slots().has_room(HALF_SPACES_MAX) {
+            return Err(Refusal::Full);
+        }
+        Ok(HalfSpaceId(self.half_spaces.insert(*shape)))
+    }
+
+    /// The displacement with which a particle takes up a velocity.
+    pub(super) fn displacement_for(
+        &self,
+        velocity: [i64; 3],
+        particle: &crate::particle::Particle,
+    ) -> Result<[i32; 3], RangeError> {
+        if !particle.is_movable() {
+            return Ok([0; 3]);
+        }
+        let limit = self.config.displacement_max.raw();
+        let acceleration = self.config.acceleration(particle);
+        let start = self.config.pace().start(velocity, acceleration, limit);
+        start.ok_or(RangeError { field: "velocity" })
+    }
+
+    /// Checks every invariant of a state that came from outside.
+    pub(crate) fn validate(&self) -> Result<(), RangeError> {
+        let Self { tick: _, phase, config, random, particles, distances, half_spaces } = self;
+        let check = |good: bool, field| if good { Ok(()) } else { Err(RangeError { field }) };
+        config.validate()?;
+        check(*phase < config.pace().phases(), "phase")?;
+        // An even increment could make a draw without bias loop for ever.
+        check(random.state()[1] % 2 == 1, "random")?;
+        check(particles.position.len() <= PARTICLES_MAX, "particle count")?;
+        check(distances.rows().len() <= DISTANCES_MAX, "distance count")?;
+        check(half_spaces.rows().len() <= HALF_SPACES_MAX, "half-space count")?;
+        particles.validate(config.displacement_max.raw())?;
+        for (_, distance) in distances.iter() {
+            distance.validate()?;
+            check(particles.contains(distance.a), "a")?;
+            check(particles.contains(distance.b), "b")?;
+        }
+        half_spaces.iter().try_for_each(|(_, half_space)| half_space.validate())
+    }
+}
+
+impl Clone for State {
+    fn clone(&self) -> Self {
+        let Self { tick, phase, config, random, particles, distances, half_spaces } = self;
+        Self {
+            tick: *tick,
+            phase: *phase,
+            config: *config,
+            random: *random,
+            particles: particles.clone(),
+            distances: distances.clone(),
+            half_spaces: half_spaces.clone(),
+        }
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        let Self { tick, phase, config, random, particles, distances, half_spaces } = source;
+        self.tick = *tick;
+        self.phase = *phase;
+        self.config = *config;
+        self.random = *random;
+        self.particles.clone_from(particles);
+        self.distances.clone_from(distances);
+        self.half_spaces.clone_from(half_spaces);
+    }
+}
