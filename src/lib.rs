@@ -5,5 +5,7 @@ extern crate alloc;
 pub mod constraint;
 pub mod math;
 pub mod particle;
+pub mod replay;
+pub mod snapshot;
 pub mod store;
 pub mod world;

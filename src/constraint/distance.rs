@@ -5,7 +5,7 @@ use core::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::math::{Real, Unit};
-use crate::particle::{ParticleId, RangeError};
+use crate::particle::{ParticleId, RangeError, check};
 use crate::store::Handle;
 
 /// Names a distance constraint of a world.
@@ -76,7 +76,6 @@ impl Distance {
     /// Names the first field that is out of its range.
     pub fn validate(&self) -> Result<(), RangeError> {
         let Self { a, b, rest_length, stiffness, form: _, enabled: _, user: _ } = self;
-        let check = |good: bool, field| if good { Ok(()) } else { Err(RangeError { field }) };
         check(a != b, "b")?;
         let lengths = Real::ULP..=Self::REST_LENGTH_MAX;
         check(lengths.contains(rest_length), "rest_length")?;

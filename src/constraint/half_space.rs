@@ -10,7 +10,7 @@ use crate::math::wide::{
     add, dot_narrow, dot_wide, is_narrow, round_div, round_shift, round_shift_wide, sub,
 };
 use crate::math::{Factor, Unit, UnitVec3, Vec3};
-use crate::particle::{DISPLACEMENT_LIMIT, RangeError, WORLD_LIMIT};
+use crate::particle::{DISPLACEMENT_LIMIT, RangeError, WORLD_LIMIT, check, within};
 use crate::store::Handle;
 
 /// Names a half-space of a world.
@@ -47,8 +47,7 @@ impl HalfSpace {
     /// Names the first field that is out of its range.
     pub fn validate(&self) -> Result<(), RangeError> {
         let Self { point, normal, friction, restitution, enabled: _, user: _ } = self;
-        let check = |good: bool, field| if good { Ok(()) } else { Err(RangeError { field }) };
-        check(crate::particle::within(*point, WORLD_LIMIT), "point")?;
+        check(within(*point, WORLD_LIMIT), "point")?;
         check(normal.is_unit(), "normal")?;
         check((Factor::ZERO..=Self::FRICTION_MAX).contains(friction), "friction")?;
         check((Unit::ZERO..=Unit::ONE).contains(restitution), "restitution")

@@ -107,7 +107,7 @@ const fn half_units(text: &[u8], point: usize, bits: u32) -> u128 {
 }
 
 /// Writes `raw / 2^bits` as the shortest decimal that [`parse`] reads back as `raw`, for
-/// `bits <= 30`. Of those, the nearest to the value.
+/// `1 <= bits <= 30`. Of those, the nearest to the value.
 pub(super) fn write(raw: i64, bits: u32, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let whole = raw.unsigned_abs() >> bits;
     let (digits, places) = shortest_fraction(raw.unsigned_abs() & ((1 << bits) - 1), bits);
@@ -120,19 +120,17 @@ pub(super) fn write(raw: i64, bits: u32, f: &mut fmt::Formatter<'_>) -> fmt::Res
 
 /// The fewest decimal places that pin `fraction / 2^bits` down, and the digits in them.
 ///
-/// With k places the nearest decimal `c / 10^k` reads back if it is closer than half a unit, or
-/// exactly half a unit below (ties round away from zero); if it does not, no k places do. The
-/// loop ends at the latest when `10^k >= 2^bits`, k = 10, where products stay below
+/// With k places the nearest decimal `c / 10^k` reads back if it is closer than half a unit; if
+/// it does not, no k places do. (Exactly half a unit takes more than `bits` places.) The loop
+/// ends at the latest when `10^k > 2^bits`, k = 10, where products stay below
 /// `2^30 * 10^10 < 2^64`.
 fn shortest_fraction(fraction: u64, bits: u32) -> (u64, usize) {
     let mut power: u64 = 1;
     let mut places = 0;
     loop {
         let exact = fraction * power;
-        // Nearest, ties towards zero: the lower of two ties is the one that reads back.
-        let digits = (exact + ((1 << bits) - 1) / 2) >> bits;
-        let shown = digits << bits;
-        if 2 * exact.abs_diff(shown) < power + u64::from(shown < exact) {
+        let digits = (exact + (1 << (bits - 1))) >> bits;
+        if 2 * exact.abs_diff(digits << bits) < power {
             return (digits, places);
         }
         power *= 10;

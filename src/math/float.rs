@@ -4,6 +4,8 @@
 //! Writing takes the nearest float, ties to even, like every conversion of IEEE 754. Neither
 //! does arithmetic on floats, so neither depends on a processor's modes or a compiler's flags.
 
+#![allow(clippy::disallowed_types, reason = "the one place where floats come in and go out")]
+
 use super::{Fraction, FractionError, Real, RealError, UnitVec3, Vec3};
 
 /// An IEEE 754 binary format: sign, exponent, significand, from the top.
@@ -28,14 +30,15 @@ impl Binary {
         if exponent == (1 << self.exponent_bits) - 1 {
             return Err(if field == 0 { RealError::Infinite } else { RealError::NotANumber });
         }
-        // The float is `significand * 2^power`. Subnormals and zeros have no hidden bit, and the
-        // power of the smallest normals.
-        let (significand, exponent) =
-            if exponent == 0 { (field, 1) } else { (field | hidden, exponent) };
-        let power = exponent - self.bias() - self.significand_bits as i32;
-        let magnitude = match shift(significand, power + fraction_bits as i32) {
-            Some(magnitude) => magnitude,
-            None => return Err(RealError::OutOfRange),
+        if exponent == 0 {
+            // Zeros, and subnormals: below 2^-125 in either format.
+            return Ok(0);
+        }
+        // The float is `significand * 2^power`.
+        let significand = field | hidden;
+        let power = exponent - self.bias() - self.significand_bits.cast_signed();
+        let Some(magnitude) = shift(significand, power + fraction_bits.cast_signed()) else {
+            return Err(RealError::OutOfRange);
         };
         let negative = bits >> (self.significand_bits + self.exponent_bits) != 0;
         Ok(if negative { -magnitude } else { magnitude })
@@ -59,7 +62,8 @@ impl Binary {
             let half = 1 << (lost - 1);
             kept + (rest > half || rest == half && kept & 1 == 1) as u64
         };
-        let exponent = (top as i32 - fraction_bits as i32 + self.bias()) as u64;
+        // At least the bias - 30: positive.
+        let exponent = (top + self.bias().cast_unsigned() - fraction_bits) as u64;
         // The hidden bit is taken off by counting the exponent one lower; a significand rounded
         // up to the next power of two thereby carries into the exponent, as it should.
         let sign = (raw < 0) as u64;
@@ -73,7 +77,6 @@ impl Binary {
 const fn shift(significand: u64, power: i32) -> Option<i128> {
     let wide = significand as i128;
     match power {
-        _ if significand == 0 => Some(0),
         // 53 + 74 bits at most.
         0..=74 => Some(wide << power),
         75.. => None,

@@ -227,12 +227,12 @@ impl core::error::Error for RealError {}
 
 /// Operators that panic on overflow in every profile, from the method that checks.
 macro_rules! strict_operator {
-    ($op:ident $method:ident, $assign:ident $assign_method:ident, $checked:ident, $message:literal) => {
+    ($op:ident $method:ident, $assign:ident $assign_method:ident, $checked:ident, $why:literal) => {
         impl $op for Real {
             type Output = Self;
             #[inline]
             fn $method(self, other: Self) -> Self {
-                self.$checked(other).expect($message)
+                self.$checked(other).expect($why)
             }
         }
         impl $assign for Real {

@@ -61,7 +61,6 @@ impl Particle {
     /// Names the first field that is out of its range.
     pub fn validate(&self) -> Result<(), RangeError> {
         let Self { mass, gravity_scale, acceleration, pinned: _, enabled: _, user: _ } = self;
-        let check = |good: bool, field| if good { Ok(()) } else { Err(RangeError { field }) };
         check((Self::MASS_MIN..=Self::MASS_MAX).contains(mass), "mass")?;
         let scale = gravity_scale.raw().unsigned_abs();
         check(scale <= Self::GRAVITY_SCALE_MAX.raw().unsigned_abs(), "gravity_scale")?;
@@ -108,11 +107,14 @@ impl ParticleSpec {
     /// Names the first field that is out of its range.
     pub fn validate(&self) -> Result<(), RangeError> {
         let Self { position, velocity: _, particle } = self;
-        if !within(*position, WORLD_LIMIT) {
-            return Err(RangeError { field: "position" });
-        }
+        check(within(*position, WORLD_LIMIT), "position")?;
         particle.validate()
     }
+}
+
+/// An error that names the field, unless its value is good.
+pub(crate) fn check(good: bool, field: &'static str) -> Result<(), RangeError> {
+    if good { Ok(()) } else { Err(RangeError { field }) }
 }
 
 /// Whether every component is within `+-limit` (raw).

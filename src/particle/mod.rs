@@ -13,7 +13,7 @@ mod set;
 mod verlet;
 
 pub use attributes::{Particle, ParticleSpec, RangeError};
-pub(crate) use attributes::within;
+pub(crate) use attributes::{check, within};
 pub use set::{ParticleId, ParticleSet};
 pub(crate) use verlet::{Drive, Fault, Pace, PinMotion, Substep, acceleration, clamp_length};
 

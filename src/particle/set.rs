@@ -5,7 +5,7 @@ use core::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Particle, RangeError, WORLD_LIMIT};
+use super::{Particle, RangeError, WORLD_LIMIT, check};
 use crate::math::Vec3;
 use crate::store::{Handle, Table};
 
@@ -124,27 +124,19 @@ impl ParticleSet {
     /// Checks every invariant; the error names the field that is broken.
     pub(crate) fn validate(&self, displacement_max: i64) -> Result<(), RangeError> {
         let Self { table, position, displacement } = self;
-        let error = |field| Err(RangeError { field });
-        if [position.len(), displacement.len()] != [table.rows().len(); 2] {
-            return error("particle count");
-        }
+        let same = [position.len(), displacement.len()] == [table.rows().len(); 2];
+        check(same, "particle count")?;
         let limit = WORLD_LIMIT.unsigned_abs();
-        if position.iter().flatten().any(|c| c.unsigned_abs() > limit) {
-            return error("position");
-        }
+        check(position.iter().flatten().all(|c| c.unsigned_abs() <= limit), "position")?;
         let limit = displacement_max.unsigned_abs();
-        if displacement.iter().flatten().any(|c| u64::from(c.unsigned_abs()) > limit) {
-            return error("displacement");
-        }
-        for (index, particle) in (0u32..).zip(table.rows().iter()) {
-            particle.validate()?;
+        let short = |c: &i32| u64::from(c.unsigned_abs()) <= limit;
+        check(displacement.iter().flatten().all(short), "displacement")?;
+        (0u32..).zip(table.rows().iter()).try_for_each(|(index, particle)| {
             let slot = index as usize;
             let vacant = position[slot] == [0; 3] && displacement[slot] == [0; 3];
-            if table.slots().tenant(index).is_none() && !vacant {
-                return error("position of a free slot");
-            }
-        }
-        Ok(())
+            check(vacant || table.slots().tenant(index).is_some(), "position of a free slot")?;
+            particle.validate()
+        })
     }
 }
 

@@ -70,10 +70,7 @@ pub(crate) struct Substep {
 }
 
 impl Pace {
-    /// The greatest number of substeps a second.
-    pub(crate) const MAX: u32 = 64_000;
-
-    /// `per_second` substeps a second, 1 to [`Pace::MAX`].
+    /// `per_second` substeps a second, 1 to 64,000.
     #[must_use]
     pub(crate) const fn new(per_second: u32) -> Self {
         Self { per_second }

@@ -4,7 +4,7 @@ use super::{Action, Command, EventKind, ObjectId, Refusal, World, WorldConfig};
 use crate::math::wide::{add, round_div_wide};
 use crate::math::Vec3;
 use crate::particle::{
-    Particle, ParticleId, RangeError, WORLD_LIMIT, clamp_length, within,
+    Particle, ParticleId, RangeError, WORLD_LIMIT, check, clamp_length, within,
 };
 
 type Done = Result<(), Refusal>;
@@ -60,7 +60,7 @@ impl World {
             Action::MovePin { particle, target } => self.move_pin(*particle, *target)?,
             Action::Teleport { particle, position } => {
                 self.row(*particle)?;
-                check_position(*position, "position")?;
+                check(within(*position, WORLD_LIMIT), "position")?;
                 self.state.particles.position[particle.0.slot()] = position.raw();
             }
             Action::SetRestLength { distance, rest_length } => {
@@ -165,7 +165,7 @@ impl World {
         if !(row.pinned && row.enabled) {
             return Err(Refusal::NotPinned);
         }
-        check_position(target, "target")?;
+        check(within(target, WORLD_LIMIT), "target")?;
         self.work.pins.insert(id, target.raw());
         Ok(())
     }
@@ -211,8 +211,4 @@ impl World {
         state.config = *config;
         Ok(())
     }
-}
-
-fn check_position(position: Vec3, field: &'static str) -> Result<(), RangeError> {
-    if within(position, WORLD_LIMIT) { Ok(()) } else { Err(RangeError { field }) }
 }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::constraint::ITERATIONS_MAX;
 use crate::math::{Real, Vec3};
-use crate::particle::{DISPLACEMENT_LIMIT, Pace, Particle, RangeError, acceleration, within};
+use crate::particle::{DISPLACEMENT_LIMIT, Pace, Particle, RangeError, acceleration, check, within};
 use crate::real;
 
 /// Configuration of a world: state, changed only by [`Action::Configure`](super::Action::Configure).
@@ -42,7 +42,6 @@ impl WorldConfig {
     /// Names the first field that is out of its range.
     pub fn validate(&self) -> Result<(), RangeError> {
         let Self { tick_rate, substeps, iterations, gravity, damping, displacement_max } = self;
-        let check = |good: bool, field| if good { Ok(()) } else { Err(RangeError { field }) };
         check((1..=Self::TICK_RATE_MAX).contains(tick_rate), "tick_rate")?;
         check((1..=Self::SUBSTEPS_MAX).contains(substeps), "substeps")?;
         check((1..=ITERATIONS_MAX).contains(iterations), "iterations")?;

@@ -21,7 +21,6 @@ use step::{Caches, Work};
 use crate::constraint::{Distance, DistanceId, HalfSpace, HalfSpaceId};
 use crate::math::{Pcg, Vec3};
 use crate::particle::{ParticleId, ParticleSet};
-use crate::store::Table;
 
 /// A world of particles and constraints that is advanced tick by tick.
 ///
@@ -117,9 +116,10 @@ impl World {
         self.state.random
     }
 
-    /// Tables of the constraints, for floors above.
-    pub(crate) fn tables(&self) -> (&Table<Distance>, &Table<HalfSpace>) {
-        (&self.state.distances, &self.state.half_spaces)
+    /// Becomes the world of another state, which has been validated.
+    pub(crate) fn replace_state(&mut self, state: State) {
+        self.state = state;
+        self.events.clear();
     }
 }
 

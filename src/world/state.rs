@@ -5,7 +5,7 @@ use crate::constraint::{
     DISTANCES_MAX, Distance, DistanceId, HALF_SPACES_MAX, HalfSpace, HalfSpaceId,
 };
 use crate::math::Pcg;
-use crate::particle::{PARTICLES_MAX, ParticleId, ParticleSet, ParticleSpec, RangeError};
+use crate::particle::{PARTICLES_MAX, ParticleId, ParticleSet, ParticleSpec, RangeError, check};
 use crate::store::Table;
 
 /// Everything whose loss would change the next tick or the next event; nothing else.
@@ -87,24 +87,35 @@ impl State {
         start.ok_or(RangeError { field: "velocity" })
     }
 
-    /// Checks every invariant of a state that came from outside.
-    pub(crate) fn validate(&self) -> Result<(), RangeError> {
-        let Self { tick: _, phase, config, random, particles, distances, half_spaces } = self;
-        let check = |good: bool, field| if good { Ok(()) } else { Err(RangeError { field }) };
+    /// Checks what the first record of a snapshot holds.
+    pub(crate) fn validate_world(&self) -> Result<(), RangeError> {
+        let Self { tick: _, phase, config, random, .. } = self;
         config.validate()?;
         check(*phase < config.pace().phases(), "phase")?;
         // An even increment could make a draw without bias loop for ever.
-        check(random.state()[1] % 2 == 1, "random")?;
-        check(particles.position.len() <= PARTICLES_MAX, "particle count")?;
-        check(distances.rows().len() <= DISTANCES_MAX, "distance count")?;
-        check(half_spaces.rows().len() <= HALF_SPACES_MAX, "half-space count")?;
-        particles.validate(config.displacement_max.raw())?;
-        for (_, distance) in distances.iter() {
-            distance.validate()?;
-            check(particles.contains(distance.a), "a")?;
-            check(particles.contains(distance.b), "b")?;
-        }
-        half_spaces.iter().try_for_each(|(_, half_space)| half_space.validate())
+        check(random.state()[1] % 2 == 1, "random.increment")
+    }
+
+    /// Checks the particles against the configuration.
+    pub(crate) fn validate_particles(&self) -> Result<(), RangeError> {
+        check(self.particles.position.len() <= PARTICLES_MAX, "particle count")?;
+        self.particles.validate(self.config.displacement_max.raw())
+    }
+
+    /// Checks the distance constraints and that their ends are alive.
+    pub(crate) fn validate_distances(&self) -> Result<(), RangeError> {
+        check(self.distances.rows().len() <= DISTANCES_MAX, "distance count")?;
+        self.distances.iter().try_for_each(|(_, distance)| {
+            check(self.particles.contains(distance.a), "a")?;
+            check(self.particles.contains(distance.b), "b")?;
+            distance.validate()
+        })
+    }
+
+    /// Checks the half-spaces.
+    pub(crate) fn validate_half_spaces(&self) -> Result<(), RangeError> {
+        check(self.half_spaces.rows().len() <= HALF_SPACES_MAX, "half-space count")?;
+        self.half_spaces.iter().try_for_each(|(_, half_space)| half_space.validate())
     }
 }
 

@@ -1,0 +1,302 @@
+//! A replay as bytes.
+
+use alloc::vec::Vec;
+
+use serde::{Deserialize, Serialize};
+
+use super::Simulation;
+use crate::snapshot::{
+    Container, ContainerKind, DecodeError, DecodeReason, Hash, decode_record, decode_rows,
+};
+
+/// Replays.
+pub(super) const KIND: ContainerKind = ContainerKind { magic: *b"\x89VLREPL\n", format: 1 };
+
+/// The sections of a replay, in the order of the file.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[repr(u32)]
+pub(super) enum Part {
+    /// [`Info`]: one record.
+    Info = 1,
+    /// The saved start.
+    Start = 2,
+    /// [`Tick`]: one record a tick.
+    Tick = 3,
+    /// The inputs of all ticks, one after the other.
+    Input = 4,
+    /// [`Keyframe`]: one record a keyframe.
+    Keyframe = 5,
+    /// The saved states of the keyframes, one after the other.
+    State = 6,
+}
+
+impl Part {
+    const ALL: [Self; 6] =
+        [Self::Info, Self::Start, Self::Tick, Self::Input, Self::Keyframe, Self::State];
+
+    /// Bytes of a record.
+    pub(super) const fn record_size(self) -> u32 {
+        match self {
+            Self::Info => 40,
+            Self::Start | Self::Input | Self::State => 1,
+            Self::Tick => 32,
+            Self::Keyframe => 16,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(super) struct Info {
+    /// [`Simulation::NAME`].
+    pub(super) name: [u8; 16],
+    /// [`Simulation::VERSION`].
+    pub(super) version: u32,
+    /// Ticks from one keyframe to the next; 0: there are none.
+    pub(super) interval: u32,
+    /// Tick of the start.
+    pub(super) first_tick: u64,
+    /// The number of ticks recorded.
+    pub(super) ticks: u64,
+}
+
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(super) struct Tick {
+    /// The number of inputs.
+    pub(super) inputs: u32,
+    /// Their length in bytes.
+    pub(super) length: u32,
+    /// The lower half of their hash: an input without effect is verified too.
+    pub(super) input_hash: u64,
+    /// Hash of the state after the tick.
+    pub(super) state_hash: u128,
+}
+
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(super) struct Keyframe {
+    /// The tick that is stepped next from here.
+    pub(super) tick: u64,
+    /// Length of the saved state.
+    pub(super) length: u64,
+}
+
+/// A replay whose layout and hashes have been checked. Borrows the bytes.
+#[derive(Clone, Debug)]
+pub struct Replay<'a> {
+    pub(super) info: Info,
+    start: &'a [u8],
+    start_offset: u64,
+    ticks: &'a [u8],
+    inputs: &'a [u8],
+    input_offset: u64,
+    /// Each keyframe's tick, and its bytes.
+    keyframes: Vec<(u64, &'a [u8])>,
+    state_offset: u64,
+}
+
+impl<'a> Replay<'a> {
+    /// Checks layout and hashes. O(bytes); allocates no more than the table of keyframes.
+    ///
+    /// # Errors
+    /// What is wrong, and at which offset.
+    pub fn parse(bytes: &'a [u8]) -> Result<Self, DecodeError> {
+        let container = Container::parse(bytes, KIND)?;
+        let layout = |offset| DecodeError::new(offset, DecodeReason::Layout);
+        let expected = Part::ALL.map(|part| (part as u32, part.record_size()));
+        let table = container.entries().iter().map(|entry| (entry.kind, entry.size));
+        if !table.eq(expected) {
+            return Err(layout(16));
+        }
+        let section = |part: Part| {
+            let (entry, bytes) = container.section(part as u32).ok_or(layout(16))?;
+            Ok((entry.offset, bytes))
+        };
+        let (info_offset, info) = section(Part::Info)?;
+        let (start_offset, start) = section(Part::Start)?;
+        let (tick_offset, ticks) = section(Part::Tick)?;
+        let (input_offset, inputs) = section(Part::Input)?;
+        let (keyframe_offset, keyframes) = section(Part::Keyframe)?;
+        let (state_offset, states) = section(Part::State)?;
+        let record = || DecodeError::new(info_offset, DecodeReason::Record);
+        let (info, read): (Info, usize) = decode_record(info).ok_or(record())?;
+        let sound = info.first_tick.checked_add(info.ticks).is_some();
+        if read != Part::Info.record_size() as usize || !sound {
+            return Err(record());
+        }
+        if ticks.len() as u64 != info.ticks * u64::from(Part::Tick.record_size()) {
+            return Err(layout(tick_offset));
+        }
+        let rows = decode_rows(keyframes, Part::Keyframe.record_size() as usize)
+            .map_err(|at| DecodeError::new(keyframe_offset + at, DecodeReason::Record))?;
+        let keyframes = slice_keyframes(&info, &rows, states).ok_or(layout(keyframe_offset))?;
+        let replay = Self {
+            info,
+            start,
+            start_offset,
+            ticks,
+            inputs,
+            input_offset,
+            keyframes,
+            state_offset,
+        };
+        let lengths: u64 = (0..info.ticks).map(|tick| u64::from(replay.tick(tick).length)).sum();
+        if lengths != inputs.len() as u64 {
+            return Err(layout(tick_offset));
+        }
+        Ok(replay)
+    }
+
+    /// Name of the simulation that was recorded.
+    #[must_use]
+    pub fn name(&self) -> [u8; 16] {
+        self.info.name
+    }
+
+    /// Version of the recorded game's own rules.
+    #[must_use]
+    pub fn version(&self) -> u32 {
+        self.info.version
+    }
+
+    /// The first recorded tick.
+    #[must_use]
+    pub fn first_tick(&self) -> u64 {
+        self.info.first_tick
+    }
+
+    /// The number of recorded ticks.
+    #[must_use]
+    pub fn len(&self) -> u64 {
+        self.info.ticks
+    }
+
+    /// Whether no tick was recorded.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.info.ticks == 0
+    }
+
+    /// The number of inputs in the whole replay.
+    #[must_use]
+    pub fn input_count(&self) -> u64 {
+        (0..self.len()).map(|tick| u64::from(self.tick(tick).inputs)).sum()
+    }
+
+    /// The recorded hash after a tick; `None` outside the recording.
+    #[must_use]
+    pub fn hash_after(&self, tick: u64) -> Option<Hash> {
+        let index = tick.checked_sub(self.first_tick()).filter(|&index| index < self.len())?;
+        Some(Hash(self.tick(index).state_hash))
+    }
+
+    /// The ticks for which there is a keyframe.
+    pub fn keyframe_ticks(&self) -> impl Iterator<Item = u64> + '_ {
+        self.keyframes.iter().map(|&(tick, _)| tick)
+    }
+
+    /// The bytes of the saved start.
+    #[must_use]
+    pub fn start_bytes(&self) -> &'a [u8] {
+        self.start
+    }
+
+    /// The record of the `index`th tick, which must be recorded.
+    pub(super) fn tick(&self, index: u64) -> Tick {
+        let size = Part::Tick.record_size() as usize;
+        let record = self.ticks.chunks(size).nth(index as usize).and_then(decode_record);
+        // `parse` counted the records, and any 32 bytes are one.
+        record.map_or(EMPTY, |(tick, _)| tick)
+    }
+
+    /// The inputs of the `index`th tick, their bytes, and where the next tick's begin.
+    pub(super) fn inputs<S: Simulation>(
+        &self,
+        index: u64,
+        from: usize,
+    ) -> Result<(Vec<S::Input>, &'a [u8]), DecodeError> {
+        let tick = self.tick(index);
+        let bad = |at: usize| {
+            DecodeError::new(self.input_offset + (from + at) as u64, DecodeReason::Record)
+        };
+        let all = self.inputs.get(from..).and_then(|rest| rest.get(..tick.length as usize));
+        let all = all.ok_or(bad(0))?;
+        let mut rest = all;
+        let mut inputs = Vec::new();
+        for _ in 0..tick.inputs {
+            let at = all.len() - rest.len();
+            // An input that takes no bytes could be repeated without limit.
+            let (input, read) =
+                decode_record(rest).filter(|&(_, read)| read > 0).ok_or(bad(at))?;
+            inputs.push(input);
+            rest = &rest[read..];
+        }
+        if rest.is_empty() { Ok((inputs, all)) } else { Err(bad(all.len() - rest.len())) }
+    }
+
+    /// The start of a simulation of this kind and version.
+    pub(super) fn start<S: Simulation>(&self) -> Result<S, DecodeError> {
+        let simulation = self.load_at::<S>(self.start, self.start_offset)?;
+        if simulation.tick() == self.first_tick() {
+            Ok(simulation)
+        } else {
+            Err(DecodeError::new(self.start_offset, DecodeReason::Layout))
+        }
+    }
+
+    /// The last keyframe at or before a tick.
+    pub(super) fn keyframe_before<S: Simulation>(
+        &self,
+        tick: u64,
+    ) -> Result<Option<S>, DecodeError> {
+        let count = self.keyframes.partition_point(|&(at, _)| at <= tick);
+        count.checked_sub(1).map(|index| self.load_keyframe(index)).transpose()
+    }
+
+    /// The keyframe of exactly this tick.
+    pub(super) fn keyframe_at<S: Simulation>(&self, tick: u64) -> Result<Option<S>, DecodeError> {
+        let found = self.keyframes.binary_search_by_key(&tick, |&(at, _)| at).ok();
+        found.map(|index| self.load_keyframe(index)).transpose()
+    }
+
+    fn load_keyframe<S: Simulation>(&self, index: usize) -> Result<S, DecodeError> {
+        let before: usize = self.keyframes[..index].iter().map(|(_, bytes)| bytes.len()).sum();
+        let (tick, bytes) = self.keyframes[index];
+        let offset = self.state_offset + before as u64;
+        let simulation = self.load_at::<S>(bytes, offset)?;
+        if simulation.tick() == tick {
+            Ok(simulation)
+        } else {
+            Err(DecodeError::new(offset, DecodeReason::Layout))
+        }
+    }
+
+    fn load_at<S: Simulation>(&self, bytes: &[u8], offset: u64) -> Result<S, DecodeError> {
+        if (self.info.name, self.info.version) != (S::NAME, S::VERSION) {
+            return Err(DecodeError::new(0, DecodeReason::NotThisKind));
+        }
+        S::load(bytes).map_err(|error| error.within(offset))
+    }
+}
+
+const EMPTY: Tick = Tick { inputs: 0, length: 0, input_hash: 0, state_hash: 0 };
+
+/// Cuts the states apart; `None` unless the ticks ascend within the recording and all bytes are used.
+fn slice_keyframes<'a>(
+    info: &Info,
+    rows: &[Keyframe],
+    states: &'a [u8],
+) -> Option<Vec<(u64, &'a [u8])>> {
+    let mut rest = states;
+    let mut keyframes: Vec<(u64, &[u8])> = Vec::with_capacity(rows.len());
+    for row in rows {
+        let ascends = keyframes.last().is_none_or(|&(last, _)| last < row.tick);
+        // The start itself needs no keyframe, and no tick would verify one.
+        let inside = row.tick > info.first_tick && row.tick - info.first_tick <= info.ticks;
+        let (state, after) = rest.split_at_checked(usize::try_from(row.length).ok()?)?;
+        if !(ascends && inside) {
+            return None;
+        }
+        keyframes.push((row.tick, state));
+        rest = after;
+    }
+    rest.is_empty().then_some(keyframes)
+}

@@ -1,0 +1,118 @@
+//! Recording while stepping.
+
+use alloc::vec::Vec;
+
+use super::Simulation;
+use super::format::{Info, KIND, Keyframe, Part, Tick};
+use crate::snapshot::{ContainerWriter, Hash, encode_record};
+
+/// Steps a simulation and records what it was given and what came of it.
+///
+/// The bytes depend on the simulation and its inputs alone: all peers record the same file.
+#[derive(Debug)]
+pub struct Recorder<S: Simulation> {
+    simulation: S,
+    info: Info,
+    start: Vec<u8>,
+    ticks: Vec<u8>,
+    inputs: Vec<u8>,
+    keyframes: Vec<u8>,
+    states: Vec<u8>,
+}
+
+impl<S: Simulation> Recorder<S> {
+    /// Starts a recording at the simulation's present tick, with a keyframe every `interval` ticks;
+    /// 0 for none.
+    pub fn new(simulation: S, interval: u32) -> Self {
+        let mut start = Vec::new();
+        simulation.save_into(&mut start);
+        let info = Info {
+            name: S::NAME,
+            version: S::VERSION,
+            interval,
+            first_tick: simulation.tick(),
+            ticks: 0,
+        };
+        Self {
+            simulation,
+            info,
+            start,
+            ticks: Vec::new(),
+            inputs: Vec::new(),
+            keyframes: Vec::new(),
+            states: Vec::new(),
+        }
+    }
+
+    /// What is recorded, as it is now.
+    pub fn simulation(&self) -> &S {
+        &self.simulation
+    }
+
+    /// Advances by one tick and returns the hash of the state after it. Inputs may come in any
+    /// order. More than 2^32 bytes of inputs in a tick are not supported.
+    pub fn step(&mut self, inputs: &[S::Input]) -> Hash {
+        let mut sorted = inputs.to_vec();
+        sorted.sort_unstable();
+        let before = self.inputs.len();
+        sorted.iter().for_each(|input| encode_record(input, &mut self.inputs));
+        let bytes = &self.inputs[before..];
+        self.simulation.step(&sorted);
+        let hash = self.simulation.hash();
+        let tick = Tick {
+            inputs: sorted.len() as u32,
+            length: bytes.len() as u32,
+            input_hash: input_hash(bytes),
+            state_hash: hash.0,
+        };
+        encode_record(&tick, &mut self.ticks);
+        self.info.ticks += 1;
+        if self.info.interval > 0 && self.info.ticks % u64::from(self.info.interval) == 0 {
+            self.keyframe();
+        }
+        hash
+    }
+
+    fn keyframe(&mut self) {
+        let before = self.states.len();
+        self.simulation.save_into(&mut self.states);
+        let length = (self.states.len() - before) as u64;
+        encode_record(&Keyframe { tick: self.simulation.tick(), length }, &mut self.keyframes);
+    }
+
+    /// The replay so far.
+    #[must_use]
+    pub fn replay(&self) -> Vec<u8> {
+        let Self { simulation: _, info, start, ticks, inputs, keyframes, states } = self;
+        let mut record = Vec::new();
+        encode_record(info, &mut record);
+        let parts = [
+            (Part::Info, &record),
+            (Part::Start, start),
+            (Part::Tick, ticks),
+            (Part::Input, inputs),
+            (Part::Keyframe, keyframes),
+            (Part::State, states),
+        ];
+        let mut table = ContainerWriter::new(KIND);
+        for (part, bytes) in parts {
+            let size = part.record_size();
+            let count = bytes.len() as u64 / u64::from(size);
+            table.entry(part as u32, size, count, Hash::of(bytes));
+        }
+        let mut out = table.finish();
+        parts.iter().for_each(|(_, bytes)| out.extend_from_slice(bytes));
+        out
+    }
+
+    /// Ends the recording.
+    #[must_use]
+    pub fn into_simulation(self) -> S {
+        self.simulation
+    }
+}
+
+/// The lower half of the hash: enough to notice a change.
+pub(super) fn input_hash(bytes: &[u8]) -> u64 {
+    Hash::of(bytes).0 as u64
+}
