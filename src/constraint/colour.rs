@@ -19,7 +19,8 @@ pub(crate) fn colour(ends: &[[Option<u32>; 2]], particles: usize) -> Vec<u8> {
         for end in movable() {
             taken[end] |= 1 << free;
         }
-        free as u8 // at most 63
+        // At most 63, the lowest byte.
+        free.to_le_bytes()[0]
     };
     ends.iter().map(one).collect()
 }

@@ -7,11 +7,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::math::root::root_nearest;
 use crate::math::wide::{
-    add, dot_narrow, dot_wide, is_narrow, round_div, round_shift, round_shift_wide, sub,
+    add, dot_narrow, dot_wide, is_narrow, round_div, round_shift, round_shift_wide, sub, to_i32,
+    to_i64,
 };
 use crate::math::{Factor, Unit, UnitVec3, Vec3};
 use crate::particle::{DISPLACEMENT_LIMIT, RangeError, WORLD_LIMIT, check, within};
-use crate::store::Handle;
+use crate::store::{Handle, slot_index};
 
 /// Names a half-space of a world.
 #[derive(
@@ -62,7 +63,7 @@ impl HalfSpace {
             round_shift(dot_narrow(normal, d), 30)
         } else {
             // |d| < 2^62.2 a component, so the depth is below 2^63.
-            round_shift_wide(dot_wide(normal, d), 30) as i64
+            to_i64(round_shift_wide(dot_wide(normal, d), 30))
         }
     }
 
@@ -106,7 +107,7 @@ pub(crate) fn collide(
         for (index, surface) in (0u32..).zip(surfaces) {
             let depth = surface.shape.depth(*position);
             if depth > 0 {
-                let particle = slot as u32; // slots are below 2^22
+                let particle = slot_index(slot);
                 let motion = sub(*position, *start);
                 let approach = if is_narrow(motion) {
                     round_shift(dot_narrow(surface.shape.normal.raw(), motion), 30)
@@ -137,7 +138,7 @@ fn push(shape: &HalfSpace, depth: i64, start: [i64; 3], position: &mut [i64; 3])
     let stopped = if slip_sq <= hold * hold {
         slip
     } else {
-        let length = root_nearest(slip_sq as u64).max(1) as i64;
+        let length = root_nearest(slip_sq.cast_unsigned()).max(1).cast_signed();
         slip.map(|c| round_div(c * hold, length)) // hold <= length < 2^31
     };
     *position = sub(*position, stopped);
@@ -169,8 +170,7 @@ pub(crate) fn settle(
         };
         let settled = add(motion, shape.along(target - speed));
         // Each component is below 2^30 + 2^32 before and within 2^30 after.
-        *displacement =
-            settled.map(|c| c.clamp(-displacement_max, displacement_max) as i32);
+        *displacement = settled.map(|c| to_i32(c.clamp(-displacement_max, displacement_max)));
     }
 }
 

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use super::colour::{OVERFLOW, colour};
 use super::correction::Link;
 use super::distance::{Distance, DistanceForm};
-use crate::math::wide::round_div_wide;
+use crate::math::wide::{round_div_wide, to_i32, to_i64};
 use crate::particle::Particle;
 use crate::store::Table;
 
@@ -46,12 +46,7 @@ impl Plan {
             sum += *end;
             *end = sum;
         }
-        let empty = Link {
-            ends: [0; 2],
-            gains: [0; 2],
-            rest_length: 0,
-            form: DistanceForm::Exact,
-        };
+        let empty = Link { ends: [0; 2], gains: [0; 2], rest_length: 0, form: DistanceForm::Exact };
         let mut sorted = vec![empty; links.len()];
         for (link, &colour) in links.iter().zip(colours) {
             let place = &mut next[usize::from(colour)];
@@ -94,10 +89,10 @@ fn gains(ends: [&Particle; 2], stiffness: i64) -> [i32; 2] {
     let masses = ends.map(|end| i128::from(end.mass.raw()));
     let share = |mine: usize, other: usize| match (ends[mine].pinned, ends[other].pinned) {
         (true, _) => 0,
-        (false, true) => stiffness as i32,
+        (false, true) => to_i32(stiffness),
         (false, false) => {
             let numerator = i128::from(stiffness) * masses[other];
-            round_div_wide(numerator, masses[0] + masses[1]) as i32
+            to_i32(to_i64(round_div_wide(numerator, masses[0] + masses[1])))
         }
     };
     [share(0, 1), share(1, 0)]

@@ -2,19 +2,18 @@
 
 use core::ops::Neg;
 
-use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::root::root_nearest;
-use super::wide::{dot_wide, round_div};
+use super::wide::{dot_wide, is_narrow, round_div_magnitude};
 use super::{Unit, Vec3};
 
 /// A vector of length 1, up to the rounding of its components to 2^-30.
 ///
 /// [`normalize`](Self::normalize) errs by at most 1.7 units of 2^-30 a component, is odd, and
 /// commutes with permutations of the axes. [`is_unit`](Self::is_unit) holds for everything it
-/// returns; writing to the fields, or [`from_raw`](Self::from_raw), can break it. `serde` sees
-/// a tuple of three [`Unit`]s, and refuses to read one that is no unit vector.
+/// returns; writing to the fields, [`from_raw`](Self::from_raw) or `serde`, which sees a tuple of
+/// three [`Unit`]s, can break it: whoever takes one from outside checks it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(C)]
 pub struct UnitVec3 {
@@ -87,11 +86,12 @@ impl UnitVec3 {
         [self.x.raw() as i64, self.y.raw() as i64, self.z.raw() as i64]
     }
 
-    /// Whether the length is 1 up to rounding: | |n|^2 - 2^60 | <= 2^32 raw.
+    /// Whether the length is 1 up to rounding, | |n|^2 - 2^60 | <= 2^32 raw, and no component is
+    /// beyond 1.
     #[must_use]
     pub const fn is_unit(self) -> bool {
         let excess = dot_wide(self.raw(), self.raw()) - (1 << 60);
-        excess.unsigned_abs() <= 1 << 32
+        excess.unsigned_abs() <= 1 << 32 && is_narrow(self.raw())
     }
 
     /// Divides by the length. The longest magnitude has 31 bits, or is 2^31 by rounding up.
@@ -104,10 +104,10 @@ impl UnitVec3 {
     fn from_leading(magnitudes: [u64; 3], negative: [bool; 3]) -> Self {
         let [x, y, z] = magnitudes;
         // At most 3 * 2^62 < 2^64.
-        let length = root_nearest(x * x + y * y + z * z).cast_signed();
+        let length = root_nearest(x * x + y * y + z * z);
         let component = |magnitude: u64, negative: bool| {
             // At most 2^61 above; a magnitude is at most the length, so at most 2^30 in all.
-            let share = round_div((magnitude << 30).cast_signed(), length) as i32;
+            let share = round_div_magnitude(magnitude << 30, length) as i32;
             if negative { -share } else { share }
         };
         let [left, down, back] = negative;
@@ -135,7 +135,6 @@ impl Serialize for UnitVec3 {
 impl<'de> Deserialize<'de> for UnitVec3 {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let (x, y, z) = Deserialize::deserialize(deserializer)?;
-        let direction = Self { x, y, z };
-        if direction.is_unit() { Ok(direction) } else { Err(D::Error::custom("not a unit vector")) }
+        Ok(Self { x, y, z })
     }
 }

@@ -52,6 +52,21 @@ pub const fn round_div(n: i64, d: i64) -> i64 {
     if rest >= d - rest { quotient + n.signum() } else { quotient }
 }
 
+/// `n / d` to nearest, ties up, of magnitudes: [`round_div`] without its signs, and cheaper.
+///
+/// Requires `n <= u64::MAX - d / 2`, checked in debug builds.
+///
+/// # Panics
+///
+/// In every profile when `d` is 0.
+#[inline]
+#[must_use]
+pub const fn round_div_magnitude(n: u64, d: u64) -> u64 {
+    debug_assert!(n <= u64::MAX - d / 2, "round_div_magnitude: no room for the half");
+    // For an odd d the half is cut, but then no rest lies between the two.
+    (n + d / 2) / d
+}
+
 /// `n / d` to nearest, ties away from zero, exact for every `n`, in 128 bits.
 ///
 /// # Panics
@@ -120,6 +135,24 @@ pub const fn add(a: [i64; 3], b: [i64; 3]) -> [i64; 3] {
 const fn is_summable(d: [i64; 3]) -> bool {
     const MAX: u64 = 1 << 62;
     d[0].unsigned_abs() <= MAX && d[1].unsigned_abs() <= MAX && d[2].unsigned_abs() <= MAX
+}
+
+/// A value that the caller has proved to fit 64 bits; checked in debug builds.
+#[inline]
+#[must_use]
+pub const fn to_i64(v: i128) -> i64 {
+    let low = v as i64;
+    debug_assert!(low as i128 == v, "to_i64: more than 64 bits");
+    low
+}
+
+/// A value that the caller has proved to fit 32 bits; checked in debug builds.
+#[inline]
+#[must_use]
+pub const fn to_i32(v: i64) -> i32 {
+    let low = v as i32;
+    debug_assert!(low as i64 == v, "to_i32: more than 32 bits");
+    low
 }
 
 /// The value in 64 bits, if it fits.

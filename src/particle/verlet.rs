@@ -19,7 +19,7 @@
 use alloc::vec::Vec;
 
 use super::{DISPLACEMENT_LIMIT, Particle, ParticleId, ParticleSet, WORLD_LIMIT};
-use crate::math::wide::{add, round_div, round_div_wide, sub};
+use crate::math::wide::{add, round_div, round_div_wide, sub, to_i32, to_i64};
 use crate::math::{Real, Vec3};
 
 /// Accelerations carry 16 more fractional bits than a [`Real`]: gravity scales have 16.
@@ -88,7 +88,7 @@ impl Pace {
         // |a| <= 2^58 and n < 2^48: the product has 106 bits.
         let total = |a: i64, n: u64| round_div_wide(i128::from(a) * i128::from(n), phases);
         // The difference is a / D within 1, below 2^43.
-        acceleration.map(|a| (total(a, phase + 1) - total(a, phase)) as i64)
+        acceleration.map(|a| to_i64(total(a, phase + 1) - total(a, phase)))
     }
 
     /// The displacement with which a particle of this velocity starts, or `None` beyond `limit`.
@@ -110,26 +110,35 @@ impl Pace {
         Some(out)
     }
 
+    /// The displacement of a start from rest, `-a h^2 / 2`: at most 2^41.
+    pub(crate) fn rest(self, acceleration: Acceleration) -> [i64; 3] {
+        // |a| <= 2^58, over at least 2^17.
+        let twice = 2 * i128::from(self.phases());
+        acceleration.map(|a| to_i64(round_div_wide(-i128::from(a), twice)))
+    }
+
     /// The velocity at the end of a substep that moved by `displacement`: `d / h + a h / 2`.
     pub(crate) fn velocity(self, displacement: [i32; 3], acceleration: Acceleration) -> Vec3 {
         let rate = i128::from(self.per_second);
         let component = |d: i32, a: i64| {
             // (2 R^2 d + a) / (2 R) with d in 2^-40: 31 + 33 + 16 bits; the quotient has 48.
             let numerator = 2 * i128::from(self.phases()) * i128::from(d) + i128::from(a);
-            round_div_wide(numerator, (2 * rate) << ACCELERATION_SHIFT) as i64
+            to_i64(round_div_wide(numerator, (2 * rate) << ACCELERATION_SHIFT))
         };
         let [dx, dy, dz] = displacement;
         let [ax, ay, az] = acceleration;
         Vec3::from_raw([component(dx, ax), component(dy, ay), component(dz, az)])
     }
 
-    /// The displacement that a velocity change makes, each component clamped to `+-2^40`.
+    /// The displacement that an impulse makes, cut to the length `2^40` of its longest component.
     pub(crate) fn kick(self, impulse: [i64; 3], mass: Real) -> [i64; 3] {
         // dv / R with dv = J / m: (J 2^24) / (m R); J 2^24 has 87 bits.
         let divisor = i128::from(mass.raw()) * i128::from(self.per_second);
-        let bound = 1_i128 << 40;
-        let kick = |j: i64| round_div_wide(i128::from(j) << Real::FRACTION_BITS, divisor);
-        impulse.map(|j| kick(j).clamp(-bound, bound) as i64)
+        let kick = impulse.map(|j| round_div_wide(i128::from(j) << Real::FRACTION_BITS, divisor));
+        let bound = 1 << 40;
+        let longest = kick[0].abs().max(kick[1].abs()).max(kick[2].abs()).max(bound);
+        // Masses are above 2^14 raw, so a kick is below 2^73: 113 bits, and at most 2^40 again.
+        kick.map(|k| to_i64(round_div_wide(k * bound, longest)))
     }
 
     /// A displacement at another pace, for the same velocity: `d R / R'`.
@@ -138,7 +147,7 @@ impl Pace {
             // 31 + 16 bits.
             round_div(i64::from(d) * i64::from(self.per_second), i64::from(to.per_second))
         });
-        clamp_length(scaled, limit).unwrap_or(scaled).map(|d| d as i32)
+        clamp_length(scaled, limit).unwrap_or(scaled).map(to_i32)
     }
 }
 
@@ -158,18 +167,20 @@ impl ParticleSet {
         substep: &Substep,
         drive: &[Drive],
         start: &mut Vec<[i64; 3]>,
+        mut report: impl FnMut(ParticleId, Fault),
     ) {
-        start.clone_from(&self.position);
+        let Self { table, position, displacement } = self;
+        start.clone_from(position);
         let gravity = substep.gravity.map(|g| g << ACCELERATION_SHIFT);
         let uniform = substep.pace.fall(gravity, substep.phase);
         let dither = dither(substep.phase);
-        let moving = self.position.iter_mut().zip(&self.displacement).zip(drive).enumerate();
-        for (slot, ((position, displacement), drive)) in moving {
+        let moving = position.iter_mut().zip(displacement).zip(drive);
+        for (index, ((position, displacement), drive)) in (0u32..).zip(moving) {
             let fall = match drive {
                 Drive::Still => continue,
                 Drive::Gravity => uniform,
                 Drive::Own => {
-                    let own = acceleration(&self.table.rows()[slot], substep.gravity);
+                    let own = acceleration(&table.rows()[index as usize], substep.gravity);
                     substep.pace.fall(own, substep.phase)
                 }
             };
@@ -178,10 +189,16 @@ impl ParticleSet {
                 let d = i64::from(displacement[k]);
                 // |d| <= 2^30, damping <= 2^32, dither < 2^32: below 2^63.
                 let lost = (d.unsigned_abs() * substep.damping + dither) >> 32;
-                motion[k] = d - d.signum() * lost as i64 + fall[k];
+                motion[k] = d - d.signum() * lost.cast_signed() + fall[k];
             }
-            let limit = substep.displacement_max;
-            *position = add(*position, clamp_length(motion, limit).unwrap_or(motion));
+            if let Some(cut) = clamp_length(motion, substep.displacement_max) {
+                // What is driven is alive.
+                if let Some(handle) = table.slots().tenant(index) {
+                    report(ParticleId(handle), Fault::DisplacementClamped);
+                }
+                motion = cut;
+            }
+            *position = add(*position, motion);
         }
     }
 
@@ -231,7 +248,7 @@ impl ParticleSet {
                 kept = [0; 3];
             }
             // Within displacement_max <= 2^30.
-            *displacement = kept.map(|d| d as i32);
+            *displacement = kept.map(to_i32);
         }
     }
 }
@@ -268,7 +285,10 @@ pub(crate) fn clamp_length(v: [i64; 3], limit: i64) -> Option<[i64; 3]> {
     debug_assert!((0..=DISPLACEMENT_LIMIT).contains(&limit));
     let longest = v[0].abs().max(v[1].abs()).max(v[2].abs());
     // |v| <= 2^62, limit <= 2^30: the product has 92 bits, the quotient is at most the limit.
-    let shorten = |c| round_div_wide(i128::from(c) * i128::from(limit), i128::from(longest)) as i64;
+    let shorten = |c| {
+        let product = i128::from(c) * i128::from(limit);
+        to_i64(round_div_wide(product, i128::from(longest)))
+    };
     (longest > limit).then(|| v.map(shorten))
 }
 

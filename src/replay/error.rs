@@ -50,12 +50,12 @@ impl From<DecodeError> for VerifyError {
 impl fmt::Display for Divergence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let what = match self.kind {
-            DivergenceKind::Inputs => "the inputs",
-            DivergenceKind::State => "the state",
-            DivergenceKind::Keyframe => "the keyframe",
+            DivergenceKind::Inputs => "the inputs differ",
+            DivergenceKind::State => "the state differs",
+            DivergenceKind::Keyframe => "the keyframe differs",
         };
         let Self { tick, recorded, found, .. } = self;
-        write!(f, "tick {tick}: {what} differ: recorded {recorded}, found {found}")
+        write!(f, "tick {tick}: {what}: recorded {recorded}, found {found}")
     }
 }
 

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Simulation;
 use crate::snapshot::{
-    Container, ContainerKind, DecodeError, DecodeReason, Hash, decode_record, decode_rows,
+    Container, ContainerKind, DecodeError, DecodeReason, Entry, Hash, decode_record, decode_rows,
 };
 
 /// Replays.
@@ -33,6 +33,17 @@ pub(super) enum Part {
 impl Part {
     const ALL: [Self; 6] =
         [Self::Info, Self::Start, Self::Tick, Self::Input, Self::Keyframe, Self::State];
+
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Info => "info",
+            Self::Start => "start",
+            Self::Tick => "tick",
+            Self::Input => "input",
+            Self::Keyframe => "keyframe",
+            Self::State => "state",
+        }
+    }
 
     /// Bytes of a record.
     pub(super) const fn record_size(self) -> u32 {
@@ -82,6 +93,7 @@ pub(super) struct Keyframe {
 /// A replay whose layout and hashes have been checked. Borrows the bytes.
 #[derive(Clone, Debug)]
 pub struct Replay<'a> {
+    container: Container<'a>,
     pub(super) info: Info,
     start: &'a [u8],
     start_offset: u64,
@@ -94,6 +106,12 @@ pub struct Replay<'a> {
 }
 
 impl<'a> Replay<'a> {
+    /// The first eight bytes of every replay.
+    pub const MAGIC: [u8; 8] = KIND.magic;
+
+    /// The version of the format that this build reads and writes.
+    pub const FORMAT: u32 = KIND.format;
+
     /// Checks layout and hashes. O(bytes); allocates no more than the table of keyframes.
     ///
     /// # Errors
@@ -110,25 +128,27 @@ impl<'a> Replay<'a> {
             let (entry, bytes) = container.section(part as u32).ok_or(layout(16))?;
             Ok((entry.offset, bytes))
         };
-        let (info_offset, info) = section(Part::Info)?;
+        let (info_offset, info_bytes) = section(Part::Info)?;
         let (start_offset, start) = section(Part::Start)?;
         let (tick_offset, ticks) = section(Part::Tick)?;
         let (input_offset, inputs) = section(Part::Input)?;
         let (keyframe_offset, keyframes) = section(Part::Keyframe)?;
         let (state_offset, states) = section(Part::State)?;
         let record = || DecodeError::new(info_offset, DecodeReason::Record);
-        let (info, read): (Info, usize) = decode_record(info).ok_or(record())?;
+        let (info, read): (Info, usize) = decode_record(info_bytes).ok_or(record())?;
         let sound = info.first_tick.checked_add(info.ticks).is_some();
-        if read != Part::Info.record_size() as usize || !sound {
+        if read != info_bytes.len() || !sound {
             return Err(record());
         }
-        if ticks.len() as u64 != info.ticks * u64::from(Part::Tick.record_size()) {
+        // The container has seen to it that only whole records are there.
+        if ticks.len() as u64 / u64::from(Part::Tick.record_size()) != info.ticks {
             return Err(layout(tick_offset));
         }
         let rows = decode_rows(keyframes, Part::Keyframe.record_size() as usize)
             .map_err(|at| DecodeError::new(keyframe_offset + at, DecodeReason::Record))?;
         let keyframes = slice_keyframes(&info, &rows, states).ok_or(layout(keyframe_offset))?;
         let replay = Self {
+            container,
             info,
             start,
             start_offset,
@@ -193,6 +213,22 @@ impl<'a> Replay<'a> {
         self.keyframes.iter().map(|&(tick, _)| tick)
     }
 
+    /// The names of the sections and their rows of the table, in the order of the file.
+    pub fn sections(&self) -> impl Iterator<Item = (&'static str, &Entry)> {
+        Part::ALL.iter().map(|part| part.name()).zip(self.container.entries())
+    }
+
+    /// The inputs that were given to a tick; none outside the recording. O(ticks before it).
+    ///
+    /// # Errors
+    /// The offset of bytes that are not inputs of this kind of simulation.
+    pub fn inputs_at<S: Simulation>(&self, tick: u64) -> Result<Vec<S::Input>, DecodeError> {
+        let index = tick.checked_sub(self.first_tick()).filter(|&index| index < self.len());
+        let Some(index) = index else { return Ok(Vec::new()) };
+        let from = (0..index).map(|before| self.tick(before).length as usize).sum();
+        self.inputs::<S>(index, from)
+    }
+
     /// The bytes of the saved start.
     #[must_use]
     pub fn start_bytes(&self) -> &'a [u8] {
@@ -202,34 +238,41 @@ impl<'a> Replay<'a> {
     /// The record of the `index`th tick, which must be recorded.
     pub(super) fn tick(&self, index: u64) -> Tick {
         let size = Part::Tick.record_size() as usize;
-        let record = self.ticks.chunks(size).nth(index as usize).and_then(decode_record);
+        let index = usize::try_from(index).ok();
+        let record = index.and_then(|index| self.ticks.chunks(size).nth(index));
+        let record = record.and_then(decode_record);
         // `parse` counted the records, and any 32 bytes are one.
         record.map_or(EMPTY, |(tick, _)| tick)
     }
 
-    /// The inputs of the `index`th tick, their bytes, and where the next tick's begin.
+    /// The bytes of the inputs of the `index`th tick, which begin at `from`.
+    pub(super) fn input_bytes(&self, index: u64, from: usize) -> &'a [u8] {
+        // `parse` saw to it that the lengths of all ticks add up.
+        let rest = self.inputs.get(from..).unwrap_or_default();
+        rest.get(..self.tick(index).length as usize).unwrap_or_default()
+    }
+
+    /// The inputs of the `index`th tick, whose bytes begin at `from`.
     pub(super) fn inputs<S: Simulation>(
         &self,
         index: u64,
         from: usize,
-    ) -> Result<(Vec<S::Input>, &'a [u8]), DecodeError> {
-        let tick = self.tick(index);
-        let bad = |at: usize| {
-            DecodeError::new(self.input_offset + (from + at) as u64, DecodeReason::Record)
-        };
-        let all = self.inputs.get(from..).and_then(|rest| rest.get(..tick.length as usize));
-        let all = all.ok_or(bad(0))?;
+    ) -> Result<Vec<S::Input>, DecodeError> {
+        let all = self.input_bytes(index, from);
         let mut rest = all;
+        let bad = |rest: &[u8]| {
+            let at = from + all.len() - rest.len();
+            DecodeError::new(self.input_offset + at as u64, DecodeReason::Record)
+        };
         let mut inputs = Vec::new();
-        for _ in 0..tick.inputs {
-            let at = all.len() - rest.len();
+        for _ in 0..self.tick(index).inputs {
             // An input that takes no bytes could be repeated without limit.
-            let (input, read) =
-                decode_record(rest).filter(|&(_, read)| read > 0).ok_or(bad(at))?;
+            let input = decode_record(rest).filter(|&(_, read)| read > 0);
+            let (input, read) = input.ok_or(bad(rest))?;
             inputs.push(input);
             rest = &rest[read..];
         }
-        if rest.is_empty() { Ok((inputs, all)) } else { Err(bad(all.len() - rest.len())) }
+        if rest.is_empty() { Ok(inputs) } else { Err(bad(rest)) }
     }
 
     /// The start of a simulation of this kind and version.

@@ -50,24 +50,29 @@ impl<S: Simulation> Recorder<S> {
     }
 
     /// Advances by one tick and returns the hash of the state after it. Inputs may come in any
-    /// order. More than 2^32 bytes of inputs in a tick are not supported.
+    /// order.
+    ///
+    /// # Panics
+    /// When the inputs of one tick take 4 GiB or more.
     pub fn step(&mut self, inputs: &[S::Input]) -> Hash {
         let mut sorted = inputs.to_vec();
         sorted.sort_unstable();
         let before = self.inputs.len();
-        sorted.iter().for_each(|input| encode_record(input, &mut self.inputs));
+        for input in &sorted {
+            encode_record(input, &mut self.inputs);
+        }
         let bytes = &self.inputs[before..];
         self.simulation.step(&sorted);
         let hash = self.simulation.hash();
         let tick = Tick {
-            inputs: sorted.len() as u32,
-            length: bytes.len() as u32,
+            inputs: count(sorted.len()),
+            length: count(bytes.len()),
             input_hash: input_hash(bytes),
             state_hash: hash.0,
         };
         encode_record(&tick, &mut self.ticks);
         self.info.ticks += 1;
-        if self.info.interval > 0 && self.info.ticks % u64::from(self.info.interval) == 0 {
+        if self.info.interval > 0 && self.info.ticks.is_multiple_of(u64::from(self.info.interval)) {
             self.keyframe();
         }
         hash
@@ -101,7 +106,9 @@ impl<S: Simulation> Recorder<S> {
             table.entry(part as u32, size, count, Hash::of(bytes));
         }
         let mut out = table.finish();
-        parts.iter().for_each(|(_, bytes)| out.extend_from_slice(bytes));
+        for (_, bytes) in parts {
+            out.extend_from_slice(bytes);
+        }
         out
     }
 
@@ -113,6 +120,12 @@ impl<S: Simulation> Recorder<S> {
 }
 
 /// The lower half of the hash: enough to notice a change.
+#[allow(clippy::cast_possible_truncation, reason = "the lower half is wanted")]
 pub(super) fn input_hash(bytes: &[u8]) -> u64 {
     Hash::of(bytes).0 as u64
+}
+
+/// A number or length of one tick's inputs.
+fn count(length: usize) -> u32 {
+    u32::try_from(length).expect("the inputs of a tick take less than 4 GiB")
 }

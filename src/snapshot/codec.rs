@@ -42,7 +42,9 @@ pub(crate) fn decode_record<T: DeserializeOwned>(bytes: &[u8]) -> Option<(T, usi
 /// Records one after the other.
 pub(crate) fn encode_rows<T: Serialize>(rows: &[T]) -> Vec<u8> {
     let mut out = Vec::new();
-    rows.iter().for_each(|row| encode_record(row, &mut out));
+    for row in rows {
+        encode_record(row, &mut out);
+    }
     out
 }
 

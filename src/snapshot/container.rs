@@ -46,8 +46,9 @@ pub struct Entry {
 /// A file whose table and hashes have been checked; borrows the bytes.
 #[derive(Clone, Debug)]
 pub struct Container<'a> {
-    bytes: &'a [u8],
     entries: Vec<Entry>,
+    /// The bytes of each section.
+    payloads: Vec<&'a [u8]>,
     hash: Hash,
 }
 
@@ -83,8 +84,45 @@ impl<'a> Container<'a> {
         if Hash::of(&bytes[..table_end]) != hash {
             return error(HEADER, DecodeReason::Damaged);
         }
-        let entries = entries(bytes, count, (table_end + HASH) as u64)?;
-        Ok(Self { bytes, entries, hash })
+        let mut container = Self { entries: Vec::new(), payloads: Vec::new(), hash };
+        let mut offset = table_end + HASH;
+        for index in 0..count as usize {
+            offset += container.read_section(bytes, HEADER + index * ENTRY, offset)?;
+        }
+        if offset == bytes.len() { Ok(container) } else { error(offset, DecodeReason::Trailing) }
+    }
+
+    /// Reads and checks a row of the table and its section, which starts at `offset`; returns the
+    /// section's length. Kinds ascend, sizes agree, the hash holds.
+    fn read_section(
+        &mut self,
+        bytes: &'a [u8],
+        at: usize,
+        offset: usize,
+    ) -> Result<usize, DecodeError> {
+        let entry = Entry {
+            kind: u32_at(bytes, at)?,
+            size: u32_at(bytes, at + 4)?,
+            count: u64::from_le_bytes(array_at(bytes, at + 8)?),
+            length: u64::from_le_bytes(array_at(bytes, at + 16)?),
+            hash: Hash::from_bytes(array_at(bytes, at + 24)?),
+            offset: offset as u64,
+        };
+        let ascends = self.entries.last().is_none_or(|last| last.kind < entry.kind);
+        let fits = entry.count.checked_mul(u64::from(entry.size)) == Some(entry.length);
+        if !(ascends && fits && entry.size > 0) {
+            return Err(DecodeError::new(at as u64, DecodeReason::Layout));
+        }
+        let rest = bytes.get(offset..).unwrap_or_default();
+        let Some(payload) = usize::try_from(entry.length).ok().and_then(|n| rest.get(..n)) else {
+            return Err(DecodeError::new(bytes.len() as u64, DecodeReason::Truncated));
+        };
+        if Hash::of(payload) != entry.hash {
+            return Err(DecodeError::new(entry.offset, DecodeReason::Damaged));
+        }
+        self.entries.push(entry);
+        self.payloads.push(payload);
+        Ok(payload.len())
     }
 
     /// The hash of the header and the table, and through them of everything.
@@ -101,45 +139,8 @@ impl<'a> Container<'a> {
 
     /// The row of a kind and the bytes of its section.
     pub(crate) fn section(&self, kind: u32) -> Option<(&Entry, &'a [u8])> {
-        let entry = self.entries.iter().find(|entry| entry.kind == kind)?;
-        // `parse` checked that the section is there, so its bounds fit memory.
-        let (start, length) = (entry.offset as usize, entry.length as usize);
-        Some((entry, &self.bytes[start..start + length]))
-    }
-}
-
-/// Reads and checks the table: kinds ascend, sizes agree, hashes hold, the file ends with the last.
-fn entries(bytes: &[u8], count: u32, mut offset: u64) -> Result<Vec<Entry>, DecodeError> {
-    let mut entries: Vec<Entry> = Vec::with_capacity(count as usize);
-    for index in 0..count as usize {
-        let at = HEADER + index * ENTRY;
-        let entry = Entry {
-            kind: u32_at(bytes, at)?,
-            size: u32_at(bytes, at + 4)?,
-            count: u64::from_le_bytes(array_at(bytes, at + 8)?),
-            length: u64::from_le_bytes(array_at(bytes, at + 16)?),
-            hash: Hash::from_bytes(array_at(bytes, at + 24)?),
-            offset,
-        };
-        let ascends = entries.last().is_none_or(|last| last.kind < entry.kind);
-        let fits = entry.count.checked_mul(u64::from(entry.size)) == Some(entry.length);
-        if !(ascends && fits && entry.size > 0) {
-            return Err(DecodeError::new(at as u64, DecodeReason::Layout));
-        }
-        let rest = bytes.get(offset as usize..).unwrap_or_default();
-        let Some(payload) = usize::try_from(entry.length).ok().and_then(|n| rest.get(..n)) else {
-            return Err(DecodeError::new(bytes.len() as u64, DecodeReason::Truncated));
-        };
-        if Hash::of(payload) != entry.hash {
-            return Err(DecodeError::new(offset, DecodeReason::Damaged));
-        }
-        offset += entry.length;
-        entries.push(entry);
-    }
-    if offset == bytes.len() as u64 {
-        Ok(entries)
-    } else {
-        Err(DecodeError::new(offset, DecodeReason::Trailing))
+        let sections = self.entries.iter().zip(&self.payloads);
+        sections.map(|(entry, bytes)| (entry, *bytes)).find(|(entry, _)| entry.kind == kind)
     }
 }
 
@@ -156,6 +157,7 @@ fn u32_at(bytes: &[u8], at: usize) -> Result<u32, DecodeError> {
 #[derive(Debug)]
 pub(crate) struct ContainerWriter {
     head: Vec<u8>,
+    sections: u32,
 }
 
 impl ContainerWriter {
@@ -165,7 +167,7 @@ impl ContainerWriter {
         head.extend_from_slice(&kind.format.to_le_bytes());
         head.extend_from_slice(&SIM_VERSION.to_le_bytes());
         head.extend_from_slice(&[0; 8]);
-        Self { head }
+        Self { head, sections: 0 }
     }
 
     /// Adds a row for `count` records of `size` bytes with this hash.
@@ -176,8 +178,8 @@ impl ContainerWriter {
         // Records are in memory: their bytes are counted by 64 bits.
         self.head.extend_from_slice(&(u64::from(size) * count).to_le_bytes());
         self.head.extend_from_slice(&hash.to_bytes());
-        let sections = ((self.head.len() - HEADER) / ENTRY) as u32; // at most SECTIONS_MAX
-        self.head[16..20].copy_from_slice(&sections.to_le_bytes());
+        self.sections += 1;
+        self.head[16..20].copy_from_slice(&self.sections.to_le_bytes());
     }
 
     /// The hash of header and table.

@@ -37,10 +37,7 @@ pub enum Values {
 }
 
 /// All differences, by section, object and field. Sections with equal hashes are skipped.
-pub fn diff<'a>(
-    a: &'a Snapshot<'a>,
-    b: &'a Snapshot<'a>,
-) -> impl Iterator<Item = Difference> + 'a {
+pub fn diff<'a>(a: &'a Snapshot<'a>, b: &'a Snapshot<'a>) -> impl Iterator<Item = Difference> + 'a {
     let differ = |section: &Section| a.part_hash(*section) != b.part_hash(*section);
     Section::ALL.into_iter().filter(differ).flat_map(move |section| {
         let counts = (a.count(section), b.count(section));
@@ -48,12 +45,13 @@ pub fn diff<'a>(
         let size = section.record_size() as usize;
         let records = a.bytes(section).chunks(size).zip(b.bytes(section).chunks(size));
         let changed = (0..).zip(records).filter(|(_, (a, b))| a != b).map(|(index, _)| index);
-        let fields = changed.flat_map(move |index| {
-            let pairs = a.record(section, index).zip(b.record(section, index));
-            pairs.filter(|((_, a), (_, b))| a != b).map(move |((field, a), (_, b))| {
-                Values::Field { index, field: field.name, a, b }
-            })
-        });
+        let fields =
+            changed.flat_map(move |index| {
+                let pairs = a.record(section, index).zip(b.record(section, index));
+                pairs.filter(|((_, a), (_, b))| a != b).map(move |((field, a), (_, b))| {
+                    Values::Field { index, field: field.name, a, b }
+                })
+            });
         unequal.into_iter().chain(fields).map(move |values| Difference { section, values })
     })
 }

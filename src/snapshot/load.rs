@@ -18,6 +18,12 @@ pub struct Snapshot<'a> {
 }
 
 impl<'a> Snapshot<'a> {
+    /// The first eight bytes of every snapshot.
+    pub const MAGIC: [u8; 8] = KIND.magic;
+
+    /// The version of the format that this build reads and writes.
+    pub const FORMAT: u32 = KIND.format;
+
     /// Checks layout and hashes, but not yet the values.
     ///
     /// # Errors
@@ -69,7 +75,8 @@ impl<'a> Snapshot<'a> {
         index: u64,
     ) -> impl Iterator<Item = (&'static Field, Value)> + use<'a> {
         let size = section.record_size() as usize;
-        let record = usize::try_from(index).ok().and_then(|i| self.bytes(section).chunks(size).nth(i));
+        let record =
+            usize::try_from(index).ok().and_then(|i| self.bytes(section).chunks(size).nth(i));
         let fields = if record.is_some() { section.fields() } else { &[] };
         let mut rest = record.unwrap_or_default();
         fields.iter().map(move |field| {

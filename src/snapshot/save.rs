@@ -139,6 +139,8 @@ impl World {
             bytes
         });
         out.extend_from_slice(&table.finish());
-        payloads.iter().for_each(|bytes| out.extend_from_slice(bytes));
+        for bytes in &payloads {
+            out.extend_from_slice(bytes);
+        }
     }
 }

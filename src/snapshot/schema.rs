@@ -180,7 +180,9 @@ impl fmt::Display for Section {
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         // Narrow fields hold 32 bits, so the casts only give the sign back.
-        let (wide, narrow) = (self.raw as i64, self.raw as u32 as i32);
+        let wide = self.raw.cast_signed();
+        #[allow(clippy::cast_possible_truncation, reason = "narrow fields hold 32 bits")]
+        let narrow = self.raw as i32;
         match self.kind {
             FieldKind::Bool => write!(f, "{}", self.raw != 0),
             FieldKind::U32 | FieldKind::U64 => write!(f, "{}", self.raw),

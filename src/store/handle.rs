@@ -32,6 +32,15 @@ impl Handle {
     }
 }
 
+/// A subscript as an index. Whoever owns slots caps their number below 2^32.
+#[inline]
+pub(crate) const fn slot_index(slot: usize) -> u32 {
+    debug_assert!(slot <= u32::MAX as usize, "more slots than indices");
+    #[allow(clippy::cast_possible_truncation, reason = "capped by the owner of the slots")]
+    let index = slot as u32;
+    index
+}
+
 impl fmt::Display for Handle {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}v{}", self.index, self.generation)

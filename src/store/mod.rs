@@ -14,6 +14,7 @@ mod table;
 
 pub use column::Column;
 pub use handle::Handle;
+pub(crate) use handle::slot_index;
 pub use memo::Memo;
 pub use slots::Slots;
 pub use table::Table;

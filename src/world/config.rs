@@ -4,7 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::constraint::ITERATIONS_MAX;
 use crate::math::{Real, Vec3};
-use crate::particle::{DISPLACEMENT_LIMIT, Pace, Particle, RangeError, acceleration, check, within};
+use crate::particle::{
+    DISPLACEMENT_LIMIT, Pace, Particle, RangeError, acceleration, check, within,
+};
 use crate::real;
 
 /// Configuration of a world: state, changed only by [`Action::Configure`](super::Action::Configure).
@@ -65,9 +67,10 @@ impl WorldConfig {
         crate::math::wide::round_div(self.damping.raw() << shift, rate).unsigned_abs()
     }
 
-    /// The acceleration of a particle under this gravity.
+    /// The acceleration of a particle under this gravity; none if it cannot move.
     pub(crate) fn acceleration(&self, particle: &Particle) -> [i64; 3] {
-        acceleration(particle, self.gravity.raw())
+        let free = particle.is_movable();
+        if free { acceleration(particle, self.gravity.raw()) } else { [0; 3] }
     }
 }
 

@@ -70,6 +70,10 @@ impl World {
     }
 
     /// The particle's velocity in m/s at the end of the last tick.
+    ///
+    /// It is the displacement of the last substep and half a substep of acceleration: what
+    /// [`Action::SetVelocity`] set comes back. A particle that rests on a surface therefore reports
+    /// `a h / 2`, two centimetres a second by default; one that cannot move reports its motion.
     #[must_use]
     pub fn velocity(&self, id: ParticleId) -> Option<Vec3> {
         let State { config, particles, .. } = &self.state;
@@ -109,11 +113,12 @@ impl World {
         &self.events
     }
 
-    /// A random generator for the coming tick: part of the state, another one in every tick, the
-    /// same on every peer. Drawing from the copy does not change the world.
+    /// A random generator for the coming tick: a function of the state, the same on every peer,
+    /// and independent of those of other ticks. Drawing from it does not change the world.
     #[must_use]
     pub fn random(&self) -> Pcg {
-        self.state.random
+        let mut seed = self.state.random;
+        Pcg::new(seed.next_u64(), self.state.tick)
     }
 
     /// Becomes the world of another state, which has been validated.

@@ -21,6 +21,9 @@ pub(crate) struct State {
     pub(crate) half_spaces: Table<HalfSpace>,
 }
 
+/// No snapshot is later, so that ticks can be counted on from it for ever.
+const TICK_MAX: u64 = u64::MAX >> 1;
+
 /// The stream of the world's generator among all of its seed.
 const RANDOM_STREAM: u64 = 0;
 
@@ -89,7 +92,8 @@ impl State {
 
     /// Checks what the first record of a snapshot holds.
     pub(crate) fn validate_world(&self) -> Result<(), RangeError> {
-        let Self { tick: _, phase, config, random, .. } = self;
+        let Self { tick, phase, config, random, .. } = self;
+        check(*tick <= TICK_MAX, "tick")?;
         config.validate()?;
         check(*phase < config.pace().phases(), "phase")?;
         // An even increment could make a draw without bias loop for ever.

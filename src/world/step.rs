@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 
 use super::{Command, Event, EventKind, State, World};
 use crate::constraint::{Distance, Plan, Surface, Touch, collide, settle};
-use crate::math::wide::{dot_wide, round_div_wide};
+use crate::math::wide::{dot_wide, round_div_wide, to_i64};
 use crate::particle::{Drive, Fault, Particle, ParticleId, PinMotion, Substep};
 use crate::store::Table;
 
@@ -110,14 +110,14 @@ impl World {
         work.surfaces.clear();
         work.surfaces.extend(active.map(|(_, &shape)| {
             let along = dot_wide(shape.normal.raw(), config.gravity.raw());
-            let bounce_min = round_div_wide(2 * along.abs(), divisor << 30) as i64;
+            let bounce_min = to_i64(round_div_wide(2 * along.abs(), divisor << 30));
             Surface { shape, bounce_min }
         }));
     }
 
     /// Verlet integration; pinned particles follow their targets.
     fn integrate(&mut self, index: u32) {
-        let Self { state, work, caches, .. } = self;
+        let Self { state, work, caches, events } = self;
         let config = &state.config;
         let pace = config.pace();
         let substep = Substep {
@@ -127,7 +127,8 @@ impl World {
             damping: config.damping_per_substep(),
             displacement_max: config.displacement_max.raw(),
         };
-        state.particles.integrate(&substep, &caches.drive, &mut work.start);
+        let report = reporter(events, state.tick);
+        state.particles.integrate(&substep, &caches.drive, &mut work.start, report);
         state.particles.push(&substep, &work.pushes);
         let left = config.substeps - index;
         state.particles.move_pins(&work.pin_motions, left, substep.displacement_max);
@@ -148,15 +149,8 @@ impl World {
     /// What was moved becomes displacement, within the limits.
     fn close(&mut self) {
         let Self { state, work, events, .. } = self;
-        let tick = state.tick;
         let limit = state.config.displacement_max.raw();
-        state.particles.close(&work.start, limit, |particle, fault| {
-            let kind = match fault {
-                Fault::DisplacementClamped => EventKind::DisplacementClamped { particle },
-                Fault::WorldLimit => EventKind::WorldLimit { particle },
-            };
-            events.push(Event { tick, kind });
-        });
+        state.particles.close(&work.start, limit, reporter(events, state.tick));
     }
 
     /// Contacts decide with which velocity their particles leave; positions stay.
@@ -175,5 +169,16 @@ impl World {
 
     pub(super) fn report(&mut self, kind: EventKind) {
         self.events.push(Event { tick: self.state.tick, kind });
+    }
+}
+
+/// Makes events of what the limits of the world stopped.
+fn reporter(events: &mut Vec<Event>, tick: u64) -> impl FnMut(ParticleId, Fault) {
+    move |particle, fault| {
+        let kind = match fault {
+            Fault::DisplacementClamped => EventKind::DisplacementClamped { particle },
+            Fault::WorldLimit => EventKind::WorldLimit { particle },
+        };
+        events.push(Event { tick, kind });
     }
 }

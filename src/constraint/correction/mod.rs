@@ -10,17 +10,22 @@
 //! ```
 //!
 //! `g_i` is rounded once to 30 bits, the product once to a position: with equal gains both ends get
-//! the same integer and momentum is exact; otherwise the momentum error of a projection is at most
-//! `(m_a + m_b) (1/2 + |c| / 2^30)` ulp, `c` being the correction.
+//! the same integer and momentum is exact. Otherwise an end is wrong by at most half an ulp for the
+//! product, `|v| / 2^31` for `g_i` and `|c| / 2^31` for `s_i`, where `v` is the vector that is
+//! scaled (`d` or `r`) and `c` the correction of both ends together: the momentum error of a
+//! projection is at most `(m_a + m_b) (1/2 + (|v| + |c|) / 2^31)` ulp, within 64 m below 2 ulp.
 //!
 //! A correction is never longer than 64 m (exact: `clamp`) or 0.23 * 1.42 * 1,024 m < 2^32.4 ulp
 //! (start of step: its guard). Particles that coincide have no direction and are left alone.
+
+#[cfg(test)]
+mod tests;
 
 use super::distance::DistanceForm;
 use crate::math::root::{root_nearest, root_nearest_wide};
 use crate::math::wide::{
     NARROW_MAX, dot_narrow, dot_wide, is_narrow, round_div, round_div_wide, round_shift,
-    round_shift_wide, sub,
+    round_shift_wide, sub, to_i64,
 };
 use crate::particle::DISPLACEMENT_LIMIT;
 
@@ -82,12 +87,13 @@ impl Link {
                 return self.at_ends(|gain| {
                     // 59 + 30 bits over 62; the quotient is below 0.23.
                     let numerator = i128::from(error) * i128::from(gain);
-                    let g = round_div_wide(numerator, 2 * i128::from(along)) as i64;
+                    let g = to_i64(round_div_wide(numerator, 2 * i128::from(along)));
                     r.map(|c| round_shift(c * g, GAIN_BITS)) // 30 + 28 bits
                 });
             }
         }
-        let length = root_nearest(length_sq as u64) as i64; // < 2^31, and >= every |component|
+        // Below 2^31, and not below any |component|.
+        let length = root_nearest(length_sq.cast_unsigned()).cast_signed();
         if length == 0 {
             return [[0; 3]; 2];
         }
@@ -104,7 +110,7 @@ impl Link {
     fn wide(&self, d: [i64; 3], r: [i64; 3]) -> Correction {
         let length_sq = dot_wide(d, d); // < 2^126
         let rest_length = i128::from(self.rest_length);
-        let shrink = |c: i64, g: i128| round_shift_wide(i128::from(c) * g, GAIN_BITS) as i64;
+        let shrink = |c: i64, g: i128| to_i64(round_shift_wide(i128::from(c) * g, GAIN_BITS));
         if self.form == DistanceForm::StartOfStep {
             let rest_sq = rest_length * rest_length; // <= 2^68
             let error = rest_sq - length_sq;
@@ -119,7 +125,7 @@ impl Link {
                 });
             }
         }
-        let length = root_nearest_wide(length_sq as u128) as i128; // < 2^63
+        let length = root_nearest_wide(length_sq.cast_unsigned()).cast_signed(); // < 2^63
         if length == 0 {
             return [[0; 3]; 2];
         }

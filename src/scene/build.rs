@@ -1,0 +1,80 @@
+//! Description to world.
+
+use alloc::vec::Vec;
+
+use super::distance::{DistanceEntry, as_placed};
+use super::error::{Place, SceneError};
+use super::half_space::HalfSpaceEntry;
+use super::parse::Description;
+use super::particle::ParticleEntry;
+use super::shape::Shape;
+use crate::constraint::Distance;
+use crate::math::Vec3;
+use crate::particle::{ParticleId, ParticleSpec};
+use crate::world::{World, WorldBuilder};
+
+/// A world that is being filled.
+struct Build {
+    world: WorldBuilder,
+    /// The particles made so far, in order.
+    particles: Vec<(ParticleId, Vec3)>,
+    /// The distances of shapes; made after those of the file.
+    links: Vec<(Place, Distance)>,
+}
+
+/// Makes the objects of a scene in the order that the floor's documentation states.
+pub(super) fn build(description: &Description) -> Result<World, SceneError> {
+    let world = WorldBuilder::new(description.config)
+        .map_err(|why| Place::of("config").refuses(why))?
+        .seed(description.seed);
+    let mut build = Build { world, particles: Vec::new(), links: Vec::new() };
+    for (index, ParticleEntry(spec)) in (0u32..).zip(&description.particles) {
+        build.particle(Place::at("particles", index), spec)?;
+    }
+    build.shapes(&description.ropes)?;
+    build.shapes(&description.nets)?;
+    build.shapes(&description.clouds)?;
+    for (index, DistanceEntry(distance)) in (0u32..).zip(&description.distances) {
+        build.distance(Place::at("distances", index), distance)?;
+    }
+    for (place, distance) in core::mem::take(&mut build.links) {
+        build.distance(place, &distance)?;
+    }
+    for (index, HalfSpaceEntry(half_space)) in (0u32..).zip(&description.half_spaces) {
+        let made = build.world.half_space(half_space);
+        made.map_err(|why| Place::at("half_spaces", index).refuses(why))?;
+    }
+    Ok(build.world.build())
+}
+
+impl Build {
+    fn particle(&mut self, place: Place, spec: &ParticleSpec) -> Result<(), SceneError> {
+        let id = self.world.particle(spec).map_err(|why| place.refuses(why))?;
+        self.particles.push((id, spec.position));
+        Ok(())
+    }
+
+    fn shapes<S: Shape>(&mut self, shapes: &[S]) -> Result<(), SceneError> {
+        for (number, shape) in (0u32..).zip(shapes) {
+            let place = Place::at(S::SECTION, number);
+            let first = self.particles.len();
+            for spec in shape.particles(number) {
+                self.particle(place, &spec)?;
+            }
+            let made = &self.particles[first..];
+            self.links.extend(shape.links().map(|ends| {
+                let [a, b] = ends.map(|end| made[end as usize].0);
+                (place, Distance { a, b, ..shape.link() })
+            }));
+        }
+        Ok(())
+    }
+
+    fn distance(&mut self, place: Place, distance: &Distance) -> Result<(), SceneError> {
+        // A new world has no gaps: slots are places in the list.
+        let made = |id: ParticleId| self.particles.get(id.0.slot());
+        let placed = as_placed(distance, |id| made(id).map(|&(_, position)| position));
+        self.world.distance(&placed).map_err(|why| place.refuses(why))?;
+        Ok(())
+    }
+}
