@@ -1,0 +1,74 @@
+//! What can be typed.
+
+use std::io::Write;
+
+use clap::{Parser, Subcommand};
+use verlock::SIM_VERSION;
+use verlock::replay::Replay;
+use verlock::snapshot::Snapshot;
+
+use crate::completions::Completions;
+use crate::diff::Diff;
+use crate::dump::Dump;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::hash::Hash;
+use crate::info::Info;
+use crate::man::Man;
+use crate::run::Run;
+use crate::verify::Verify;
+
+/// Deterministic lockstep physics: run scenes, verify replays, compare states
+#[derive(Debug, Parser)]
+#[command(name = "verlock", version = version(), after_help = AFTER)]
+pub(crate) struct Args {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+
+    /// Refuse files that are longer
+    #[arg(long, global = true, value_name = "BYTES", default_value_t = 2 << 30)]
+    pub(crate) limit: u64,
+}
+
+const AFTER: &str = "\
+A FILE or PATH may be `-`: stdin or stdout. A tick T means the state before tick T is stepped.
+
+Exit codes:
+  0  verified, equal, done
+  1  a divergence or difference was found
+  2  wrong usage, or a file could not be read or written
+  3  damaged, unsupported or over a limit: nothing proven";
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    Run(Run),
+    Verify(Verify),
+    Info(Info),
+    Hash(Hash),
+    Diff(Diff),
+    Dump(Dump),
+    Completions(Completions),
+    Man(Man),
+}
+
+impl Command {
+    pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
+        match self {
+            Self::Run(run) => run.execute(limit, out),
+            Self::Verify(verify) => verify.execute(limit, out),
+            Self::Info(info) => info.execute(limit, out),
+            Self::Hash(hash) => hash.execute(limit, out),
+            Self::Diff(diff) => diff.execute(limit, out),
+            Self::Dump(dump) => dump.execute(limit, out),
+            Self::Completions(completions) => completions.execute(out),
+            Self::Man(man) => man.execute(out),
+        }
+    }
+}
+
+fn version() -> String {
+    let (package, snapshot, replay) = (env!("CARGO_PKG_VERSION"), Snapshot::FORMAT, Replay::FORMAT);
+    format!(
+        "{package} (SIM_VERSION {SIM_VERSION}, snapshot format {snapshot}, replay format {replay})"
+    )
+}

@@ -1,0 +1,50 @@
+//! What a command tells about something.
+
+use std::io::{self, Write};
+
+use serde_json::{Map, Value};
+
+/// Named values: lines of text, or one JSON object.
+#[derive(Debug, Default)]
+pub(crate) struct Report(Map<String, Value>);
+
+impl Report {
+    pub(crate) fn add(&mut self, name: &str, value: impl Into<Value>) {
+        self.0.insert(name.into(), value.into());
+    }
+
+    /// Adds how many objects of each kind a world has.
+    pub(crate) fn add_counts(&mut self, world: &verlock::World) {
+        self.add("particles", world.particles().len());
+        self.add("distances", world.distances().count());
+        self.add("half_spaces", world.half_spaces().count());
+    }
+
+    pub(crate) fn print(self, json: bool, out: &mut dyn Write) -> io::Result<()> {
+        if json {
+            return writeln!(out, "{:#}", Value::Object(self.0));
+        }
+        for (name, value) in &self.0 {
+            match value {
+                Value::Array(rows) => {
+                    rows.iter().try_for_each(|row| writeln!(out, "{name} {}", line(row)))?;
+                }
+                value => writeln!(out, "{name} {}", line(value))?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A value on one line: texts without quotes, objects as `name=value`.
+fn line(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        Value::Object(fields) if fields.is_empty() => "none".into(),
+        Value::Object(fields) => {
+            let fields = fields.iter().map(|(name, value)| format!("{name}={}", line(value)));
+            fields.collect::<Vec<_>>().join(" ")
+        }
+        value => value.to_string(),
+    }
+}

@@ -1,0 +1,194 @@
+//! `verlock run`: steps a scene.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::io::Write;
+use std::path::PathBuf;
+
+use serde_json::{Value, json};
+use verlock::replay::Recorder;
+use verlock::scene::Scene;
+use verlock::world::EventKind;
+use verlock::{Event, World};
+
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::progress::Progress;
+use crate::report::Report;
+use crate::target::Target;
+
+/// Step a scene, and record it
+///
+/// Prints the number of ticks, particles and constraints, the events by kind, and the hash of the
+/// last state.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Run {
+    /// Scene to step
+    scene: PathBuf,
+
+    /// Number of ticks, if not the scene's own
+    #[arg(long, value_name = "N")]
+    ticks: Option<u64>,
+
+    /// Write a replay
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
+
+    /// Ticks between two keyframes of the replay, 0 for none
+    #[arg(long, value_name = "TICKS", default_value_t = 600)]
+    keyframes: u32,
+
+    /// Write a snapshot of the last state
+    #[arg(long, value_name = "FILE")]
+    save: Option<PathBuf>,
+
+    /// Write the tick and hash of every state, a line each
+    #[arg(long, value_name = "FILE")]
+    hashes: Option<PathBuf>,
+
+    /// Print every event
+    #[arg(long)]
+    events: bool,
+
+    /// Overwrite files
+    #[arg(long)]
+    force: bool,
+
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// The files that a run writes.
+struct Targets {
+    record: Option<Target>,
+    save: Option<Target>,
+    hashes: Option<Target>,
+}
+
+/// What is kept of a run besides the recording.
+#[derive(Default)]
+struct Journal {
+    kinds: BTreeMap<&'static str, u64>,
+    /// All events, if they are wanted.
+    events: Vec<Event>,
+    /// A line for every state, if they are wanted.
+    hashes: String,
+}
+
+impl Run {
+    pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
+        let targets = self.targets()?;
+        let input = Input::read(&self.scene, limit)?;
+        let scene = input.scene()?;
+        let world = scene.build().map_err(|error| input.unproven(error))?;
+
+        let interval = if self.record.is_some() { self.keyframes } else { 0 };
+        let mut recorder = Recorder::new(world, interval);
+        let journal = self.step(&scene, &mut recorder, input.name());
+
+        if let Some(target) = &targets.record {
+            target.write(&recorder.replay(), out)?;
+        }
+        if let Some(target) = &targets.save {
+            target.write(&recorder.simulation().save(), out)?;
+        }
+        if let Some(target) = &targets.hashes {
+            target.write(journal.hashes.as_bytes(), out)?;
+        }
+        // What is said about the run must not mix with a file on stdout.
+        let mut aside = anstream::stderr();
+        let out = if targets.use_stdout() { &mut aside } else { out };
+        self.print(recorder.simulation(), &journal, out)?;
+        Ok(Exit::Fine)
+    }
+
+    fn targets(&self) -> Result<Targets, Failure> {
+        let paths: Vec<_> =
+            [&self.record, &self.save, &self.hashes].into_iter().flatten().collect();
+        if (1..paths.len()).any(|index| paths[..index].contains(&paths[index])) {
+            return Err(Failure::usage("two outputs cannot go to the same file"));
+        }
+        let target = |path: &Option<PathBuf>| {
+            path.as_ref().map(|path| Target::new(path.clone(), self.force)).transpose()
+        };
+        Ok(Targets {
+            record: target(&self.record)?,
+            save: target(&self.save)?,
+            hashes: target(&self.hashes)?,
+        })
+    }
+
+    fn step(&self, scene: &Scene, recorder: &mut Recorder<World>, name: &str) -> Journal {
+        let ticks = self.ticks.unwrap_or(scene.ticks());
+        let progress = Progress::new(name, ticks);
+        let mut journal = Journal::default();
+        if self.hashes.is_some() {
+            journal.note_hash(recorder.simulation());
+        }
+        for _ in 0..ticks {
+            let commands = scene.commands(recorder.simulation());
+            recorder.step(&commands);
+            let world = recorder.simulation();
+            if self.hashes.is_some() {
+                journal.note_hash(world);
+            }
+            journal.note_events(world.events(), self.events);
+            progress.step();
+        }
+        journal
+    }
+
+    fn print(&self, world: &World, journal: &Journal, out: &mut dyn Write) -> Result<(), Failure> {
+        let mut report = Report::default();
+        report.add("tick", world.tick());
+        report.add_counts(world);
+        report.add("events", json!(journal.kinds));
+        report.add("hash", world.hash().to_string());
+        if self.events && self.json {
+            report.add("log", journal.events.iter().map(event).collect::<Vec<_>>());
+        } else {
+            journal.events.iter().try_for_each(|event| writeln!(out, "{event}"))?;
+        }
+        Ok(report.print(self.json, out)?)
+    }
+}
+
+impl Targets {
+    fn use_stdout(&self) -> bool {
+        let Self { record, save, hashes } = self;
+        [record, save, hashes].into_iter().flatten().any(Target::is_stdout)
+    }
+}
+
+impl Journal {
+    fn note_hash(&mut self, world: &World) {
+        // Writing to a text does not fail.
+        let _ = writeln!(self.hashes, "{} {}", world.tick(), world.hash());
+    }
+
+    fn note_events(&mut self, events: &[Event], keep: bool) {
+        for event in events {
+            *self.kinds.entry(kind(event)).or_default() += 1;
+        }
+        if keep {
+            self.events.extend_from_slice(events);
+        }
+    }
+}
+
+fn event(event: &Event) -> Value {
+    json!({ "tick": event.tick, "kind": kind(event), "text": event.to_string() })
+}
+
+fn kind(event: &Event) -> &'static str {
+    match event.kind {
+        EventKind::Spawned { .. } => "spawned",
+        EventKind::Removed { .. } => "removed",
+        EventKind::Refused { .. } => "refused",
+        EventKind::DisplacementClamped { .. } => "displacement-clamped",
+        EventKind::WorldLimit { .. } => "world-limit",
+        _ => "other",
+    }
+}

@@ -1,0 +1,48 @@
+//! A file that a command writes.
+
+use std::fs::{File, OpenOptions};
+use std::io::Write;
+use std::path::PathBuf;
+
+use crate::failure::Failure;
+use crate::input::is_dash;
+
+/// Where to write, and whether a file may be replaced.
+#[derive(Debug)]
+pub(crate) struct Target {
+    path: PathBuf,
+    force: bool,
+}
+
+impl Target {
+    /// Refuses a file that is there, so that nothing is computed in vain.
+    pub(crate) fn new(path: PathBuf, force: bool) -> Result<Self, Failure> {
+        let target = Self { path, force };
+        if !force && !target.is_stdout() && target.path.symlink_metadata().is_ok() {
+            return Err(target.occupied());
+        }
+        Ok(target)
+    }
+
+    pub(crate) fn is_stdout(&self) -> bool {
+        is_dash(&self.path)
+    }
+
+    /// Writes the whole file.
+    pub(crate) fn write(&self, bytes: &[u8], out: &mut dyn Write) -> Result<(), Failure> {
+        if self.is_stdout() {
+            return Ok(out.write_all(bytes)?);
+        }
+        let file = if self.force {
+            File::create(&self.path)
+        } else {
+            OpenOptions::new().write(true).create_new(true).open(&self.path)
+        };
+        let written = file.and_then(|mut file| file.write_all(bytes));
+        written.map_err(|error| Failure::io(self.path.display(), &error))
+    }
+
+    fn occupied(&self) -> Failure {
+        Failure::usage(format!("{}: exists, and --force is not given", self.path.display()))
+    }
+}

@@ -1,0 +1,101 @@
+use verlock::World;
+use verlock::replay::Recorder;
+
+use crate::container::{repair, sections};
+use crate::sandbox::{SCENE, Sandbox};
+
+/// A sandbox with a second recording, `b.replay`, in which the push is stronger.
+fn pushed(name: &str) -> Sandbox {
+    let sandbox = Sandbox::recorded(name);
+    sandbox.write("b.ron", SCENE.replacen("(0, 0, 1)", "(0, 0, 2)", 1).as_bytes());
+    sandbox.run(&["run", "b.ron", "--record", "b.replay", "--save", "b.snap"]).expect(0);
+    sandbox
+}
+
+/// Equal states are equal in whatever file they are.
+#[test]
+fn equal_states() {
+    let sandbox = Sandbox::recorded("diff-equal");
+    for (a, b) in [("a.snap", "a.snap"), ("a.replay", "a.snap"), ("a.snap", "a.ron")] {
+        let report = sandbox.run(&["diff", a, b]).expect(0);
+        assert!(report.text().starts_with("equal at tick 6: "), "{}", report.text());
+    }
+    sandbox.run_with(&["diff", "-", "a.replay"], &sandbox.read("a.snap")).expect(0);
+    let json = sandbox.run(&["diff", "a.replay", "a.replay", "--json"]).expect(0).json();
+    assert_eq!(json["count"], 0);
+}
+
+/// Of replays the first tick that differs is found, and in it object, field, values and bits.
+#[test]
+fn first_difference_is_found() {
+    let sandbox = pushed("diff-first");
+    let report = sandbox.run(&["diff", "a.replay", "b.replay"]).expect(1);
+    // The push is in tick 3: what it did is in the state of tick 4.
+    let (head, lines) = report.text().split_once('\n').expect("lines");
+    assert!(head.contains(" differences at tick 4: "), "{head}");
+    let position = lines.lines().find(|line| line.starts_with("position 1 z: "));
+    assert!(position.is_some_and(|line| line.contains(" against ") && line.contains("(raw 0x")));
+    assert!(!lines.contains("position 0"), "{lines}");
+    sandbox.run(&["diff", "a.replay", "b.replay", "--tick", "3"]).expect(0);
+    sandbox.run(&["diff", "a.snap", "b.snap"]).expect(1);
+}
+
+/// `--max` cuts the list, not the count; JSON tells the same.
+#[test]
+fn list_is_cut() {
+    let sandbox = pushed("diff-max");
+    let all = sandbox.run(&["diff", "a.snap", "b.snap"]).expect(1);
+    let cut = sandbox.run(&["diff", "a.snap", "b.snap", "--max", "1"]).expect(1);
+    assert_eq!(cut.text().lines().count(), 2);
+    assert_eq!(cut.text().lines().next(), all.text().lines().next());
+    let json = sandbox.run(&["diff", "a.snap", "b.snap", "--json"]).expect(1).json();
+    let differences = json["differences"].as_array().expect("a list");
+    assert_eq!(differences.len(), all.text().lines().count() - 1);
+    assert_eq!(json["count"], differences.len());
+    assert!(differences.iter().all(|difference| difference["a"]["raw"] != difference["b"]["raw"]));
+}
+
+/// A recorded hash that stepping does not give is a difference too, and told as such.
+#[test]
+fn wrong_recording_differs() {
+    let sandbox = Sandbox::recorded("diff-wrong");
+    let mut bytes = sandbox.read("a.replay");
+    let hash = sections(&bytes)[2].start + 3 * 32 - 1;
+    bytes[hash] ^= 1;
+    repair(&mut bytes);
+    sandbox.write("wrong.replay", &bytes);
+    let report = sandbox.run(&["diff", "a.replay", "wrong.replay"]).expect(1);
+    assert!(report.text().starts_with("equal at tick 3: "), "{}", report.text());
+    report.says("wrong.replay: tick 3: stepping again gives another state").says("not as recorded");
+}
+
+/// A recording that goes on where the other ends is not equal to it.
+#[test]
+fn longer_recording_differs() {
+    let sandbox = Sandbox::recorded("diff-longer");
+    sandbox.run(&["run", "a.ron", "--ticks", "9", "--record", "long.replay"]).expect(0);
+    sandbox.run(&["diff", "a.replay", "long.replay"]).expect(1).says("ticks 0 to 6 against 0 to 9");
+}
+
+/// Replays without a common tick compare nothing.
+#[test]
+fn nothing_in_common() {
+    let sandbox = Sandbox::recorded("diff-nothing");
+    sandbox.run(&["run", "a.ron", "--ticks", "5", "--record", "early.replay"]).expect(0);
+    let end = World::load(&sandbox.read("a.snap")).expect("a world");
+    let mut recorder = Recorder::new(end, 0);
+    recorder.step(&[]);
+    sandbox.write("late.replay", &recorder.replay());
+    let report = sandbox.run(&["diff", "early.replay", "late.replay"]).expect(3);
+    report.says("no tick in common").says("nothing proven");
+}
+
+/// States that are not there or not sound are not compared.
+#[test]
+fn impossible_comparisons() {
+    let sandbox = Sandbox::recorded("diff-impossible");
+    sandbox.run(&["diff", "a.snap", "a.ron", "--tick", "2"]).expect(2).says("tick 2 is not in it");
+    sandbox.run(&["diff", "-", "-"]).expect(2).says("stdin");
+    sandbox.write("cut.snap", &sandbox.read("a.snap")[..50]);
+    sandbox.run(&["diff", "a.snap", "cut.snap"]).expect(3).says("cut.snap: offset 50");
+}

@@ -1,0 +1,84 @@
+use verlock::World;
+use verlock::snapshot::Section;
+
+use crate::sandbox::Sandbox;
+
+/// Every kind of file is recognised, with its versions, counts and sections.
+#[test]
+fn info_knows_every_kind() {
+    let sandbox = Sandbox::recorded("info");
+    for (file, kind, sections) in
+        [("a.ron", "scene", 0), ("a.snap", "snapshot", 9), ("a.replay", "replay", 6)]
+    {
+        let json = sandbox.run(&["info", file, "--json"]).expect(0).json();
+        assert_eq!(json["kind"], kind);
+        assert_eq!(json["particles"], 2);
+        assert_eq!(json["distances"], 1);
+        assert_eq!(json["sections"].as_array().map_or(0, Vec::len), sections, "{file}");
+        let text = sandbox.run(&["info", file]).expect(0);
+        assert!(text.text().starts_with(&format!("kind {kind}\n")), "{}", text.text());
+        assert_eq!(text.text().matches("\nsections name=").count(), sections);
+    }
+    let json = sandbox.run(&["info", "a.replay", "--json"]).expect(0).json();
+    assert_eq!(json["ticks"], 6);
+    assert_eq!(json["inputs"], 2);
+    assert_eq!(json["keyframes"], 3);
+    assert_eq!(json["name"], "verlock.world");
+    sandbox.write("noise", &[0xff; 100]);
+    sandbox.run(&["info", "noise"]).expect(3).says("nothing proven");
+}
+
+/// The hash of a file is that of its world, and its parts are those of the world.
+#[test]
+fn hash_is_that_of_the_world() {
+    let sandbox = Sandbox::recorded("hash");
+    let world = World::load(&sandbox.read("a.snap")).expect("a world");
+    let parts = world.part_hashes().map(|(section, hash)| format!("{hash} {section}\n"));
+    let parts = format!("{} state\n{}", world.hash(), parts.concat());
+    let tick = ["--parts", "--tick", "6"];
+    for file in ["a.snap", "a.replay", "a.ron"] {
+        assert_eq!(sandbox.run(&[&["hash", file], &tick[..]].concat()).expect(0).text(), parts);
+    }
+    assert_eq!(sandbox.run(&["hash", "a.replay"]).expect(0).text(), format!("{}\n", world.hash()));
+    sandbox.run(&["hash", "a.replay", "--tick", "7"]).expect(2).says("it goes from 0 to 6");
+    sandbox.run(&["hash", "a.snap", "--tick", "5"]).expect(2).says("it goes from 6 to 6");
+}
+
+/// A dump has a line, or a JSON value, for every field of every record.
+#[test]
+fn dump_has_every_field() {
+    let sandbox = Sandbox::recorded("dump");
+    let records = [1, 2, 2, 2, 2, 1, 1, 0, 0];
+    let fields = Section::ALL.map(|section| section.fields().len());
+    let lines: usize =
+        records.into_iter().zip(fields).map(|(records, fields)| records * fields).sum();
+    for file in ["a.snap", "a.replay"] {
+        assert_eq!(sandbox.run(&["dump", file]).expect(0).text().lines().count(), lines);
+    }
+    let json = sandbox.run(&["dump", "a.snap", "--json"]).expect(0).json();
+    for (section, (records, fields)) in
+        Section::ALL.into_iter().zip(records.into_iter().zip(fields))
+    {
+        let rows = json[section.name()].as_array().expect("a list");
+        assert_eq!(rows.len(), records, "{section}");
+        assert!(rows.iter().all(|row| row.as_object().is_some_and(|row| row.len() == fields)));
+    }
+    assert_eq!(json["tick"], 6);
+}
+
+/// One section at one tick; the start of the scene is there with its values and bits.
+#[test]
+fn dump_of_a_section() {
+    let sandbox = Sandbox::recorded("dump-section");
+    let start = "position 0 x: 0 (raw 0x0000000000000000)\n\
+                 position 0 y: 0 (raw 0x0000000000000000)\n\
+                 position 0 z: 0 (raw 0x0000000000000000)\n\
+                 position 1 x: 1 (raw 0x0000000001000000)\n\
+                 position 1 y: 0 (raw 0x0000000000000000)\n\
+                 position 1 z: 0 (raw 0x0000000000000000)\n";
+    for file in ["a.ron", "a.replay"] {
+        let dump = sandbox.run(&["dump", file, "--tick", "0", "--section", "position"]).expect(0);
+        assert_eq!(dump.text(), start);
+    }
+    sandbox.run(&["dump", "a.snap", "--section", "nowhere"]).expect(2);
+}

@@ -1,0 +1,18 @@
+//! The command as a shell sees it: arguments, files, streams and exit codes.
+
+/// Files whose hashes are repaired after a change.
+mod container;
+/// Two states compared.
+mod diff;
+/// Streams, limits, and files that must not be overwritten.
+mod files;
+/// What a file is and holds.
+mod inspect;
+/// Scenes stepped and recorded.
+mod run;
+/// A folder of its own for every test.
+mod sandbox;
+/// Manual pages and completions.
+mod scripts;
+/// Replays stepped again.
+mod verify;

@@ -1,0 +1,65 @@
+use verlock::scene::Scene;
+
+use crate::sandbox::{SCENE, Sandbox};
+
+/// The report tells ticks, objects, events and the hash that stepping in this process gives.
+#[test]
+fn tells_what_happened() {
+    let sandbox = Sandbox::new("run-tells");
+    let scene = Scene::parse(SCENE).expect("a scene");
+    let mut world = scene.build().expect("a world");
+    for _ in 0..6 {
+        let commands = scene.commands(&world);
+        world.step(&commands);
+    }
+    let hash = world.hash();
+    let report =
+        format!("tick 6\nparticles 2\ndistances 1\nhalf_spaces 0\nevents refused=1\nhash {hash}\n");
+    assert_eq!(sandbox.run(&["run", "a.ron"]).expect(0).text(), report);
+
+    let json = sandbox.run(&["run", "a.ron", "--json", "--events"]).expect(0).json();
+    assert_eq!(json["hash"], hash.to_string());
+    assert_eq!(json["events"]["refused"], 1);
+    assert_eq!(json["log"][0]["kind"], "refused");
+    assert_eq!(json["log"][0]["tick"], 4);
+}
+
+/// `--ticks` replaces the scene's own length, `--events` tells each event on a line.
+#[test]
+fn length_and_events() {
+    let sandbox = Sandbox::new("run-length");
+    let report = sandbox.run(&["run", "a.ron", "--ticks", "2"]).expect(0);
+    assert!(report.text().starts_with("tick 2\n") && report.text().contains("events none\n"));
+    let report = sandbox.run(&["run", "a.ron", "--events"]).expect(0);
+    assert!(report.text().starts_with("tick 4: command 0 of player 0 refused: "), "{report:?}");
+}
+
+/// The files hold what the report tells; a replay without ticks proves nothing.
+#[test]
+fn files_hold_the_run() {
+    let sandbox = Sandbox::recorded("run-files");
+    sandbox.run(&["run", "a.ron", "--hashes", "a.hashes"]).expect(0);
+    let hashes = String::from_utf8(sandbox.read("a.hashes")).expect("UTF-8");
+    assert_eq!(hashes.lines().count(), 7, "the states before and after six ticks");
+    for (tick, line) in hashes.lines().enumerate() {
+        let tick = tick.to_string();
+        let recorded = sandbox.run(&["hash", "a.replay", "--tick", &tick]).expect(0);
+        assert_eq!(format!("{line}\n"), format!("{tick} {}", recorded.text()));
+    }
+    let last = hashes.lines().last().expect("a line");
+    let saved = sandbox.run(&["hash", "a.snap"]).expect(0);
+    assert_eq!(last.strip_prefix("6 "), Some(saved.text().trim()));
+
+    sandbox.run(&["run", "a.ron", "--ticks", "0", "--record", "empty.replay"]).expect(0);
+    sandbox.run(&["verify", "empty.replay"]).expect(3).says("nothing proven");
+}
+
+/// A text that is no scene is refused with its place.
+#[test]
+fn bad_scenes_are_refused() {
+    let sandbox = Sandbox::recorded("run-bad");
+    sandbox.write("bad.ron", b"(version: 1,\n colour: 3)");
+    sandbox.run(&["run", "bad.ron"]).expect(3).says("bad.ron: line 2, column ");
+    sandbox.run(&["run", "a.replay"]).expect(3).says("not a snapshot, a replay or the text");
+    sandbox.run(&["run", "none.ron"]).expect(2).says("none.ron: ");
+}
