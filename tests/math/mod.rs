@@ -6,6 +6,7 @@
     clippy::cast_precision_loss,
     clippy::disallowed_types,
     clippy::float_arithmetic,
+    clippy::float_cmp,
     clippy::unwrap_used,
     reason = "oracles: floats are what is converted, and casts pick the bits of a case"
 )]

@@ -5,8 +5,8 @@ use std::panic::catch_unwind;
 use num_bigint::BigInt;
 use proptest::prelude::*;
 use verlock::math::wide::{
-    NARROW_MAX, add, dot_narrow, dot_wide, is_narrow, round_div, round_div_wide, round_shift,
-    round_shift_wide, sub,
+    NARROW_MAX, add, dot_narrow, dot_wide, is_narrow, round_div, round_div_magnitude,
+    round_div_wide, round_shift, round_shift_wide, sub,
 };
 
 use super::{any_i64, any_i128, any_raw3, big, cases, nearest};
@@ -44,6 +44,9 @@ proptest! {
         prop_assert_eq!(big(round_div(n, d)), nearest(&big(n), &big(d)));
         prop_assert_eq!(big(round_div_wide(w, e)), nearest(&big(w), &big(e)));
         prop_assert_eq!(round_div_wide(n.into(), d.into()), i128::from(round_div(n, d)));
+        // At most 2^63 + 2^62.
+        let (n, d) = (n.unsigned_abs(), d.unsigned_abs());
+        prop_assert_eq!(big(round_div_magnitude(n, d)), nearest(&big(n), &big(d)));
     }
 
     #[test]
@@ -52,6 +55,8 @@ proptest! {
         let away = if k < 0 { k } else { k + 1 };
         prop_assert_eq!(round_div(tie, 2 * half), away);
         prop_assert_eq!(round_div_wide(tie.into(), (2 * half).into()), i128::from(away));
+        let magnitude = round_div_magnitude(tie.unsigned_abs(), 2 * half.unsigned_abs());
+        prop_assert_eq!(magnitude, away.unsigned_abs());
     }
 
     #[test]

@@ -8,7 +8,7 @@ use rules::Offences;
 use source::{Source, files, has_extension, read};
 
 /// Where Rust is kept.
-const FOLDERS: [&str; 6] = ["src", "crates", "tests", "benches", "examples", "fuzz/fuzz_targets"];
+const FOLDERS: [&str; 6] = ["src", "crates", "tests", "benches", "examples", "fuzz"];
 
 /// The files of the library that convert floats, by their bits.
 const FLOAT_FILES: [&str; 1] = ["src/math/float.rs"];
@@ -39,7 +39,7 @@ const RULES: [Rule; 8] = [
         ],
         good: (
             "src/body/rope.rs",
-            "//! See [`crate::world`].\nuse crate::{body::Pose, math::Real};",
+            "//! See [`crate::world`].\nuse crate::{body::Pose, math::Real, real};",
         ),
     },
     Rule {

@@ -1,0 +1,14 @@
+//! What several topics need.
+
+#![allow(unreachable_pub, reason = "a test binary has no outside")]
+
+pub mod alloc;
+pub mod blueprint;
+pub mod container;
+pub mod fixture;
+pub mod float;
+pub mod frame;
+pub mod momentum;
+pub mod random;
+pub mod twin;
+pub mod worlds;
