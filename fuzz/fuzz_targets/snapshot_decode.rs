@@ -1,0 +1,15 @@
+//! Bytes to a world and back.
+#![no_main]
+
+use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};
+use verlock::world::World;
+use verlock_fuzz::{laws, memory, mutator};
+
+fuzz_target!(|data: &[u8]| {
+    let _ = memory::is_bounded(8 * data.len() + (1 << 16), || World::load(data));
+    laws::snapshot(data);
+});
+
+fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {
+    mutator::mutate(data, size, max_size, seed, fuzzer_mutate)
+});

@@ -1,0 +1,17 @@
+//! Laws that hold for any input, one for each fuzz target.
+//!
+//! A law panics when it is broken. It returns whether the input was accepted, so that the test that
+//! replays the corpus can tell when the corpus no longer gets past the decoder.
+
+mod commands;
+pub mod container;
+mod draw;
+mod replay;
+mod scene;
+mod snapshot;
+mod world;
+
+pub use commands::commands;
+pub use replay::replay;
+pub use scene::scene;
+pub use snapshot::snapshot;
