@@ -1,7 +1,7 @@
 //! What the fuzzers start from keeps the laws that they assert, without a fuzzer.
 //!
 //! `BLESS=1` says of the committed files of another `SIM_VERSION` that they are of this one, and
-//! writes into replays what stepping them gives now.
+//! writes into sound replays what stepping them gives now.
 
 #[path = "../fuzz/src/laws/mod.rs"]
 #[allow(unreachable_pub, reason = "public in the library that the fuzz targets share")]
@@ -13,6 +13,7 @@ use std::panic::catch_unwind;
 use std::path::PathBuf;
 
 use verlock::SIM_VERSION;
+use verlock::replay::Replay;
 
 use laws::container::restamp;
 
@@ -46,7 +47,9 @@ fn bless(target: &str) {
     assert!(env::var_os("CI").is_none(), "nothing is blessed where CI is set");
     for path in files(target) {
         let mut bytes = fs::read(&path).expect("a file");
-        if bytes.get(12..16).is_some_and(|stamp| stamp != SIM_VERSION.to_le_bytes()) {
+        let stamp = bytes.get(12..16);
+        let old = stamp.is_some_and(|stamp| stamp != SIM_VERSION.to_le_bytes());
+        if old || Replay::parse(&bytes).is_ok() {
             restamp(&mut bytes);
             fs::write(&path, bytes).expect("written");
         }

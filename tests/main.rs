@@ -1,4 +1,16 @@
 //! Everything the library promises, by topic.
+#![allow(
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::expect_used,
+    clippy::float_arithmetic,
+    clippy::panic,
+    clippy::pedantic,
+    clippy::print_stdout,
+    clippy::unwrap_used,
+    unreachable_pub,
+    reason = "tests compare with floats, and fail by panicking"
+)]
 
 mod support;
 
@@ -18,5 +30,9 @@ mod motion;
 mod relaxation;
 /// Recordings that prove themselves, and those that do not.
 mod replay;
+/// Scene text: numbers, errors, every fixture.
+mod scene;
 /// Worlds as bytes: identity, damage, hostile contents, hashes, differences.
 mod snapshot;
+/// The shape of the tree: floors, lengths, papers that tell the truth.
+mod tidy;

@@ -4,8 +4,9 @@
 
 use std::collections::BTreeSet;
 
-use verlock::constraint::Distance;
+use verlock::constraint::{DISTANCES_MAX, Distance};
 use verlock::math::{Factor, Pcg, Real, UnitVec3, Vec3};
+use verlock::particle::PARTICLES_MAX;
 use verlock::real;
 use verlock::scene::{Scene, SceneError};
 use verlock::world::{Action, Event, EventKind, Refusal, World};
@@ -177,11 +178,14 @@ fn what_does_not_fit_a_world_is_counted_and_never_made() {
         ("clouds: [(count: 4294967295), (count: 4294967295)]", "particles"),
         ("nets: [(columns: 4294967295, rows: 4294967295, diagonals: true)]", "particles"),
         ("ropes: [(particles: 4194304)], particles: [()]", "particles"),
-        ("nets: [(columns: 2047, rows: 2047, diagonals: true)]", "distances"),
+        ("nets: [(columns: 1023, rows: 1023, diagonals: true)]", "distances"),
     ];
     for (fields, expected) in table {
         match refused(&format!("(version: 1, {fields})")) {
-            SceneError::TooMany { kind, most: 4_194_304 } => assert_eq!(kind, expected),
+            SceneError::TooMany { kind: kind @ "particles", most: PARTICLES_MAX }
+            | SceneError::TooMany { kind: kind @ "distances", most: DISTANCES_MAX } => {
+                assert_eq!(kind, expected);
+            }
             error => panic!("{fields}: {error}"),
         }
     }

@@ -11,7 +11,7 @@ use crate::math::wide::{
     to_i64,
 };
 use crate::math::{Factor, Unit, UnitVec3, Vec3};
-use crate::particle::{DISPLACEMENT_LIMIT, RangeError, WORLD_LIMIT, check, within};
+use crate::particle::{DISPLACEMENT_LIMIT, RangeError, WORLD_LIMIT, check, clamp_longest, within};
 use crate::store::{Handle, slot_index};
 
 /// Names a half-space of a world.
@@ -30,7 +30,7 @@ pub struct HalfSpace {
     /// Coulomb's coefficient, 0 to 16. Default 0.5.
     pub friction: Factor,
     /// Share of the approach speed that a bounce gives back, 0 to 1. Approaches slower than what
-    /// gravity makes in two ticks do not bounce. Default 0.
+    /// the particle's acceleration makes in two ticks do not bounce. Default 0.
     pub restitution: Unit,
     /// A disabled half-space does nothing. Default `true`.
     pub enabled: bool,
@@ -62,7 +62,7 @@ impl HalfSpace {
         if is_narrow(d) {
             round_shift(dot_narrow(normal, d), 30)
         } else {
-            // |d| < 2^62.2 a component, so the depth is below 2^63.
+            // |d| < 2^61.9 a component, so the depth is below 2^63.
             to_i64(round_shift_wide(dot_wide(normal, d), 30))
         }
     }
@@ -72,14 +72,6 @@ impl HalfSpace {
     fn along(&self, length: i64) -> [i64; 3] {
         self.normal.raw().map(|n| round_shift(n * length, 30))
     }
-}
-
-/// A half-space, ready for the inner loop.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Surface {
-    pub(crate) shape: HalfSpace,
-    /// Slower approaches do not bounce: raw units a substep.
-    pub(crate) bounce_min: i64,
 }
 
 /// A particle that a surface pushed in this substep.
@@ -92,9 +84,9 @@ pub(crate) struct Touch {
 }
 
 /// Puts every particle that `moves` back in front of the surfaces, with friction, and notes whom
-/// they touched.
+/// they touched: each particle and surface once, with the fastest approach of the substep.
 pub(crate) fn collide(
-    surfaces: &[Surface],
+    surfaces: &[HalfSpace],
     moves: impl Fn(usize) -> bool,
     start: &[[i64; 3]],
     position: &mut [[i64; 3]],
@@ -105,20 +97,22 @@ pub(crate) fn collide(
             continue;
         }
         for (index, surface) in (0u32..).zip(surfaces) {
-            let depth = surface.shape.depth(*position);
+            let depth = surface.depth(*position);
             if depth > 0 {
                 let particle = slot_index(slot);
                 let motion = sub(*position, *start);
                 let approach = if is_narrow(motion) {
-                    round_shift(dot_narrow(surface.shape.normal.raw(), motion), 30)
+                    round_shift(dot_narrow(surface.normal.raw(), motion), 30)
                 } else {
                     0 // the displacement will be clamped: nothing to bounce with
                 };
                 touches.push(Touch { particle, surface: index, approach });
-                push(&surface.shape, depth.min(DISPLACEMENT_LIMIT), *start, position);
+                push(surface, depth.min(DISPLACEMENT_LIMIT), *start, position);
             }
         }
     }
+    touches.sort_unstable();
+    touches.dedup_by_key(|touch| (touch.particle, touch.surface));
 }
 
 /// Moves a particle out by `depth`, and against its slip by at most `friction * depth`: Coulomb's
@@ -146,31 +140,36 @@ fn push(shape: &HalfSpace, depth: i64, start: [i64; 3], position: &mut [i64; 3])
 
 /// Gives the particles that touched a surface the velocity they leave with; positions stay.
 ///
-/// A bounce returns its share of the approach. Otherwise a push may stop the approach, but adds no
-/// speed: a particle that was found behind the surface is put back without a pop.
+/// A bounce returns its share of the approach, unless that is at most `bounce_min` of the particle
+/// and the surface. Otherwise a push may stop the approach, but adds no speed: a particle that was
+/// found behind the surface is put back without a pop.
 pub(crate) fn settle(
-    surfaces: &[Surface],
+    surfaces: &[HalfSpace],
+    bounce_min: impl Fn(usize, &HalfSpace) -> i64,
     touches: &mut Vec<Touch>,
     displacement: &mut [[i32; 3]],
     displacement_max: i64,
+    mut report_cut: impl FnMut(u32),
 ) {
-    touches.sort_unstable();
-    touches.dedup_by_key(|touch| (touch.particle, touch.surface)); // keeps the fastest approach
     for touch in touches.drain(..) {
-        let Surface { shape, bounce_min } = &surfaces[touch.surface as usize];
-        let displacement = &mut displacement[touch.particle as usize];
-        let motion = displacement.map(i64::from);
-        let speed = round_shift(dot_narrow(shape.normal.raw(), motion), 30);
-        let bounces = touch.approach < -bounce_min && shape.restitution > Unit::ZERO;
-        let target = if bounces {
+        let surface = &surfaces[touch.surface as usize];
+        let slot = touch.particle as usize;
+        let motion = displacement[slot].map(i64::from);
+        let speed = round_shift(dot_narrow(surface.normal.raw(), motion), 30);
+        let springs = surface.restitution > Unit::ZERO;
+        let target = if springs && touch.approach < -bounce_min(slot, surface) {
             // 31 + 30 bits.
-            round_shift(-touch.approach * i64::from(shape.restitution.raw()), 30)
+            round_shift(-touch.approach * i64::from(surface.restitution.raw()), 30)
         } else {
             speed.min(touch.approach.max(0))
         };
-        let settled = add(motion, shape.along(target - speed));
-        // Each component is below 2^30 + 2^32 before and within 2^30 after.
-        *displacement = settled.map(|c| to_i32(c.clamp(-displacement_max, displacement_max)));
+        // Each component is below 2^30 + 2^32.
+        let settled = add(motion, surface.along(target - speed));
+        let cut = clamp_longest(settled, displacement_max);
+        if cut.is_some() {
+            report_cut(touch.particle);
+        }
+        displacement[slot] = cut.unwrap_or(settled).map(to_i32);
     }
 }
 

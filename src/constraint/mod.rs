@@ -7,7 +7,7 @@
 //! | kind | rule | moves |
 //! |---|---|---|
 //! | [`Distance`] | two particles keep a distance | both, by their masses |
-//! | [`HalfSpace`] | every movable particle stays on the side that the normal points to | the particle |
+//! | [`HalfSpace`] | every movable particle stays in front of a plane | the particle |
 //!
 //! Order: distances colour by colour, then half-spaces in slot order, then the next iteration.
 
@@ -18,17 +18,18 @@ mod half_space;
 mod plan;
 mod relax;
 
+pub(crate) use correction::Carry;
 pub use distance::{Distance, DistanceForm, DistanceId};
 pub use half_space::{HalfSpace, HalfSpaceId};
-pub(crate) use half_space::{Surface, Touch, collide, settle};
+pub(crate) use half_space::{Touch, collide, settle};
 pub(crate) use plan::Plan;
 
 /// The most distance constraints a world may have.
 ///
-/// With at most 64 iterations and 2^32.3 raw units a correction (`correction.rs`), relaxation moves
-/// a particle by less than 2^60.3 raw units, so positions stay below 2^61.2 and differences of
-/// positions below 2^62.2: every sum and dot product of the relaxation fits its type.
-pub const DISTANCES_MAX: usize = 1 << 22;
+/// With at most 64 iterations and 2^32.4 raw units a correction (`correction/mod.rs`), relaxation
+/// moves a particle by less than 2^59.4 raw units, so positions stay below 2^60.8 and differences
+/// of positions below 2^61.8: every sum and dot product of the relaxation fits its type.
+pub const DISTANCES_MAX: usize = 1 << 21;
 
 /// The most half-spaces a world may have.
 pub const HALF_SPACES_MAX: usize = 64;

@@ -2,6 +2,7 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use core::ops::Range;
 
 use super::colour::{OVERFLOW, colour};
 use super::correction::Link;
@@ -56,12 +57,17 @@ impl Plan {
         Self { links: sorted, ends }
     }
 
-    /// The colours in order: their links, and whether no two of them share a movable end.
-    pub(crate) fn colours(&self) -> impl Iterator<Item = (&[Link], bool)> {
+    /// All links, colour by colour.
+    pub(crate) fn links(&self) -> &[Link] {
+        &self.links
+    }
+
+    /// The colours in order: where their links are, and whether no two share a movable end.
+    pub(crate) fn colours(&self) -> impl Iterator<Item = (Range<usize>, bool)> {
         let mut start = 0;
         self.ends.iter().enumerate().filter_map(move |(colour, &end)| {
-            let links = &self.links[start as usize..end as usize];
-            start = end;
+            let links = start..end as usize;
+            start = links.end;
             (!links.is_empty()).then_some((links, colour < usize::from(OVERFLOW)))
         })
     }
@@ -80,10 +86,10 @@ fn link(distance: &Distance, particles: &Table<Particle>) -> Option<Link> {
     moves.then_some(Link { ends, gains, rest_length: rest_length.raw(), form })
 }
 
-/// What each end takes of an error: `stiffness w_i / (w_a + w_b)`, and `w_a / W = m_b / (m_a + m_b)`.
+/// What each end takes of an error: `stiffness w_i / W`, where `w_a / W = m_b / (m_a + m_b)`.
 ///
-/// Exact from the masses and rounded once. The lightest against the heaviest particle gives
-/// 10^-9 of 2^30: a heavy particle gets little, but never nothing by accident of an inverse mass.
+/// Exact from the masses and rounded once. The lightest against the heaviest particle gives one
+/// unit of 2^30; only with a stiffness below a half is that rounded to nothing.
 fn gains(ends: [&Particle; 2], stiffness: i64) -> [i32; 2] {
     // Masses are at most 2^44 raw, the stiffness 2^30: 74 bits; a gain is at most 2^30.
     let masses = ends.map(|end| i128::from(end.mass.raw()));

@@ -140,7 +140,7 @@ const fn is_summable(d: [i64; 3]) -> bool {
 /// A value that the caller has proved to fit 64 bits; checked in debug builds.
 #[inline]
 #[must_use]
-pub const fn to_i64(v: i128) -> i64 {
+pub(crate) const fn to_i64(v: i128) -> i64 {
     let low = v as i64;
     debug_assert!(low as i128 == v, "to_i64: more than 64 bits");
     low
@@ -149,7 +149,7 @@ pub const fn to_i64(v: i128) -> i64 {
 /// A value that the caller has proved to fit 32 bits; checked in debug builds.
 #[inline]
 #[must_use]
-pub const fn to_i32(v: i64) -> i32 {
+pub(crate) const fn to_i32(v: i64) -> i32 {
     let low = v as i32;
     debug_assert!(low as i64 == v, "to_i32: more than 32 bits");
     low

@@ -32,7 +32,8 @@ pub struct Particle {
 pub struct ParticleSpec {
     /// Metres; each component within +-2^36.
     pub position: Vec3,
-    /// Metres a second; the displacement of a substep must not exceed the configured maximum.
+    /// Metres a second; the displacement of the first substep must not exceed the configured
+    /// maximum. What is pinned or disabled starts at rest.
     pub velocity: Vec3,
     /// Everything else.
     pub particle: Particle,
@@ -91,6 +92,27 @@ impl ParticleSpec {
     #[must_use]
     pub fn mass(mut self, mass: Real) -> Self {
         self.particle.mass = mass;
+        self
+    }
+
+    /// The same with a share of gravity, -16 to 16.
+    #[must_use]
+    pub fn gravity_scale(mut self, scale: Factor) -> Self {
+        self.particle.gravity_scale = scale;
+        self
+    }
+
+    /// The same with an acceleration of its own, m/s^2.
+    #[must_use]
+    pub fn acceleration(mut self, acceleration: Vec3) -> Self {
+        self.particle.acceleration = acceleration;
+        self
+    }
+
+    /// The same with the game's own number.
+    #[must_use]
+    pub fn user(mut self, user: u64) -> Self {
+        self.particle.user = user;
         self
     }
 

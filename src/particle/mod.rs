@@ -5,8 +5,8 @@
 //!
 //! | array | unit | range |
 //! |---|---|---|
-//! | position | metres, 24 fractional bits in `i64` | &#124;x&#124; <= 2^36 m ([`WORLD_LIMIT`]) |
-//! | displacement | metres a substep, 24 fractional bits in `i32` | &#124;d&#124; <= 64 m ([`DISPLACEMENT_LIMIT`]) |
+//! | position | metres, 24 fractional bits in `i64` | +-2^36 m ([`WORLD_LIMIT`]) |
+//! | displacement | metres a substep, likewise in `i32` | +-64 m ([`DISPLACEMENT_LIMIT`]) |
 
 mod attributes;
 mod set;
@@ -15,7 +15,7 @@ mod verlet;
 pub use attributes::{Particle, ParticleSpec, RangeError};
 pub(crate) use attributes::{check, within};
 pub use set::{ParticleId, ParticleSet};
-pub(crate) use verlet::{Drive, Fault, Pace, PinMotion, Substep, acceleration, clamp_length};
+pub(crate) use verlet::{Drive, Fault, Pace, PinMotion, Substep, acceleration, clamp_longest};
 
 /// No position component leaves +-2^36 m (raw: 2^60). Sums of three such numbers fit 64 bits.
 pub const WORLD_LIMIT: i64 = 1 << 60;

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! x' = x + (x - x_prev) - damping + a h^2          (Verlet 1967; Jakobsen 2003)
-//! start: x - x_prev = v h - a h^2 / 2              (the naive x - x_prev = v h falls 38 mm wrong in 2 s)
+//! start: x - x_prev = v h - a h^2 / 2              (without the last term: 38 mm wrong in 2 s)
 //! ```
 //!
 //! **No remainder is lost.** `a h^2` is a few thousand raw units, so rounding it alike in every
@@ -48,8 +48,8 @@ pub(crate) enum Fault {
 /// Where a pinned particle has to be at the end of the tick.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) struct PinMotion {
-    /// Slot of the particle.
-    pub(crate) index: u32,
+    /// The particle.
+    pub(crate) particle: ParticleId,
     /// The position to reach, raw.
     pub(crate) target: [i64; 3],
 }
@@ -111,7 +111,7 @@ impl Pace {
     }
 
     /// The displacement of a start from rest, `-a h^2 / 2`: at most 2^41.
-    pub(crate) fn rest(self, acceleration: Acceleration) -> [i64; 3] {
+    fn rest(self, acceleration: Acceleration) -> [i64; 3] {
         // |a| <= 2^58, over at least 2^17.
         let twice = 2 * i128::from(self.phases());
         acceleration.map(|a| to_i64(round_div_wide(-i128::from(a), twice)))
@@ -141,13 +141,20 @@ impl Pace {
         kick.map(|k| to_i64(round_div_wide(k * bound, longest)))
     }
 
-    /// A displacement at another pace, for the same velocity: `d R / R'`.
-    pub(crate) fn rescale(self, to: Self, displacement: [i32; 3], limit: i64) -> [i32; 3] {
-        let scaled = displacement.map(|d| {
-            // 31 + 16 bits.
-            round_div(i64::from(d) * i64::from(self.per_second), i64::from(to.per_second))
-        });
-        clamp_length(scaled, limit).unwrap_or(scaled).map(to_i32)
+    /// The displacement, at pace `to` and under `after`, of the velocity that `displacement` is at
+    /// this pace under `before`: within 2^60.
+    pub(crate) fn convert(
+        self,
+        displacement: [i32; 3],
+        before: Acceleration,
+        to: Self,
+        after: Acceleration,
+    ) -> [i64; 3] {
+        // Without what a start from rest has: v h, below 2^43.
+        let steady = sub(displacement.map(i64::from), self.rest(before));
+        let (from_rate, to_rate) = (i64::from(self.per_second), i64::from(to.per_second));
+        let scaled = steady.map(|d| round_div(d * from_rate, to_rate)); // 43 + 16 bits
+        add(scaled, to.rest(after))
     }
 }
 
@@ -191,7 +198,7 @@ impl ParticleSet {
                 let lost = (d.unsigned_abs() * substep.damping + dither) >> 32;
                 motion[k] = d - d.signum() * lost.cast_signed() + fall[k];
             }
-            if let Some(cut) = clamp_length(motion, substep.displacement_max) {
+            if let Some(cut) = clamp_longest(motion, substep.displacement_max) {
                 // What is driven is alive.
                 if let Some(handle) = table.slots().tenant(index) {
                     report(ParticleId(handle), Fault::DisplacementClamped);
@@ -211,11 +218,21 @@ impl ParticleSet {
     }
 
     /// Moves pinned particles their share of the way, `left` substeps before the end of the tick.
-    pub(crate) fn move_pins(&mut self, pins: &[PinMotion], left: u32, limit: i64) {
-        for pin in pins {
-            let position = &mut self.position[pin.index as usize];
-            let motion = sub(pin.target, *position).map(|d| round_div(d, i64::from(left)));
-            *position = add(*position, clamp_length(motion, limit).unwrap_or(motion));
+    pub(crate) fn move_pins(
+        &mut self,
+        pins: &[PinMotion],
+        left: u32,
+        limit: i64,
+        mut report: impl FnMut(ParticleId, Fault),
+    ) {
+        for PinMotion { particle, target } in pins {
+            let position = &mut self.position[particle.0.slot()];
+            let mut motion = sub(*target, *position).map(|d| round_div(d, i64::from(left)));
+            if let Some(cut) = clamp_longest(motion, limit) {
+                report(*particle, Fault::DisplacementClamped);
+                motion = cut;
+            }
+            *position = add(*position, motion);
         }
     }
 
@@ -237,7 +254,7 @@ impl ParticleSet {
         for (index, ((position, displacement), start)) in (0u32..).zip(all) {
             let moved = sub(*position, *start);
             let mut kept = moved;
-            if let Some(cut) = clamp_length(moved, displacement_max) {
+            if let Some(cut) = clamp_longest(moved, displacement_max) {
                 report(index, Fault::DisplacementClamped);
                 kept = cut;
                 *position = add(*start, cut);
@@ -279,9 +296,9 @@ impl Drive {
     }
 }
 
-/// Shortens a vector so that no component exceeds `limit`, keeping its direction; `None` if it
-/// need not be shortened.
-pub(crate) fn clamp_length(v: [i64; 3], limit: i64) -> Option<[i64; 3]> {
+/// Shortens a vector so that its longest component does not exceed `limit`, keeping its direction;
+/// `None` if it need not be shortened.
+pub(crate) fn clamp_longest(v: [i64; 3], limit: i64) -> Option<[i64; 3]> {
     debug_assert!((0..=DISPLACEMENT_LIMIT).contains(&limit));
     let longest = v[0].abs().max(v[1].abs()).max(v[2].abs());
     // |v| <= 2^62, limit <= 2^30: the product has 92 bits, the quotient is at most the limit.

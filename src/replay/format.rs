@@ -90,19 +90,26 @@ pub(super) struct Keyframe {
     pub(super) length: u64,
 }
 
+/// A keyframe in the bytes.
+#[derive(Clone, Copy, Debug)]
+struct Saved<'a> {
+    tick: u64,
+    offset: u64,
+    bytes: &'a [u8],
+}
+
 /// A replay whose layout and hashes have been checked. Borrows the bytes.
 #[derive(Clone, Debug)]
 pub struct Replay<'a> {
     container: Container<'a>,
     pub(super) info: Info,
+    info_offset: u64,
     start: &'a [u8],
     start_offset: u64,
     ticks: &'a [u8],
     inputs: &'a [u8],
     input_offset: u64,
-    /// Each keyframe's tick, and its bytes.
-    keyframes: Vec<(u64, &'a [u8])>,
-    state_offset: u64,
+    keyframes: Vec<Saved<'a>>,
 }
 
 impl<'a> Replay<'a> {
@@ -146,17 +153,18 @@ impl<'a> Replay<'a> {
         }
         let rows = decode_rows(keyframes, Part::Keyframe.record_size() as usize)
             .map_err(|at| DecodeError::new(keyframe_offset + at, DecodeReason::Record))?;
-        let keyframes = slice_keyframes(&info, &rows, states).ok_or(layout(keyframe_offset))?;
+        let keyframes =
+            slice_keyframes(&info, &rows, states, state_offset).ok_or(layout(keyframe_offset))?;
         let replay = Self {
             container,
             info,
+            info_offset,
             start,
             start_offset,
             ticks,
             inputs,
             input_offset,
             keyframes,
-            state_offset,
         };
         let lengths: u64 = (0..info.ticks).map(|tick| u64::from(replay.tick(tick).length)).sum();
         if lengths != inputs.len() as u64 {
@@ -210,7 +218,7 @@ impl<'a> Replay<'a> {
 
     /// The ticks for which there is a keyframe.
     pub fn keyframe_ticks(&self) -> impl Iterator<Item = u64> + '_ {
-        self.keyframes.iter().map(|&(tick, _)| tick)
+        self.keyframes.iter().map(|saved| saved.tick)
     }
 
     /// The names of the sections and their rows of the table, in the order of the file.
@@ -266,9 +274,13 @@ impl<'a> Replay<'a> {
         };
         let mut inputs = Vec::new();
         for _ in 0..self.tick(index).inputs {
-            // An input that takes no bytes could be repeated without limit.
-            let input = decode_record(rest).filter(|&(_, read)| read > 0);
-            let (input, read) = input.ok_or(bad(rest))?;
+            // An input that takes no bytes could be repeated without limit, and `step` is promised
+            // sorted ones.
+            let last: Option<&S::Input> = inputs.last();
+            let fits = |(input, read): &(S::Input, usize)| {
+                *read > 0 && last.is_none_or(|last| last <= input)
+            };
+            let (input, read) = decode_record(rest).filter(fits).ok_or(bad(rest))?;
             inputs.push(input);
             rest = &rest[read..];
         }
@@ -290,31 +302,32 @@ impl<'a> Replay<'a> {
         &self,
         tick: u64,
     ) -> Result<Option<S>, DecodeError> {
-        let count = self.keyframes.partition_point(|&(at, _)| at <= tick);
-        count.checked_sub(1).map(|index| self.load_keyframe(index)).transpose()
+        let count = self.keyframes.partition_point(|saved| saved.tick <= tick);
+        count.checked_sub(1).map(|index| self.load_keyframe(&self.keyframes[index])).transpose()
     }
 
     /// The keyframe of exactly this tick.
     pub(super) fn keyframe_at<S: Simulation>(&self, tick: u64) -> Result<Option<S>, DecodeError> {
-        let found = self.keyframes.binary_search_by_key(&tick, |&(at, _)| at).ok();
-        found.map(|index| self.load_keyframe(index)).transpose()
+        let found = self.keyframes.binary_search_by_key(&tick, |saved| saved.tick).ok();
+        found.map(|index| self.load_keyframe(&self.keyframes[index])).transpose()
     }
 
-    fn load_keyframe<S: Simulation>(&self, index: usize) -> Result<S, DecodeError> {
-        let before: usize = self.keyframes[..index].iter().map(|(_, bytes)| bytes.len()).sum();
-        let (tick, bytes) = self.keyframes[index];
-        let offset = self.state_offset + before as u64;
-        let simulation = self.load_at::<S>(bytes, offset)?;
-        if simulation.tick() == tick {
+    fn load_keyframe<S: Simulation>(&self, saved: &Saved<'_>) -> Result<S, DecodeError> {
+        let simulation = self.load_at::<S>(saved.bytes, saved.offset)?;
+        if simulation.tick() == saved.tick {
             Ok(simulation)
         } else {
-            Err(DecodeError::new(offset, DecodeReason::Layout))
+            Err(DecodeError::new(saved.offset, DecodeReason::Layout))
         }
     }
 
     fn load_at<S: Simulation>(&self, bytes: &[u8], offset: u64) -> Result<S, DecodeError> {
         if (self.info.name, self.info.version) != (S::NAME, S::VERSION) {
-            return Err(DecodeError::new(0, DecodeReason::NotThisKind));
+            let Info { name, version, .. } = self.info;
+            return Err(DecodeError::new(
+                self.info_offset,
+                DecodeReason::Simulation { name, version },
+            ));
         }
         S::load(bytes).map_err(|error| error.within(offset))
     }
@@ -322,23 +335,26 @@ impl<'a> Replay<'a> {
 
 const EMPTY: Tick = Tick { inputs: 0, length: 0, input_hash: 0, state_hash: 0 };
 
-/// Cuts the states apart; `None` unless the ticks ascend within the recording and all bytes are used.
+/// Cuts the states apart, which start at `offset`; `None` unless the ticks ascend within the
+/// recording and all bytes are used.
 fn slice_keyframes<'a>(
     info: &Info,
     rows: &[Keyframe],
     states: &'a [u8],
-) -> Option<Vec<(u64, &'a [u8])>> {
+    mut offset: u64,
+) -> Option<Vec<Saved<'a>>> {
     let mut rest = states;
-    let mut keyframes: Vec<(u64, &[u8])> = Vec::with_capacity(rows.len());
-    for row in rows {
-        let ascends = keyframes.last().is_none_or(|&(last, _)| last < row.tick);
+    let mut keyframes: Vec<Saved<'_>> = Vec::with_capacity(rows.len());
+    for &Keyframe { tick, length } in rows {
+        let ascends = keyframes.last().is_none_or(|last| last.tick < tick);
         // The start itself needs no keyframe, and no tick would verify one.
-        let inside = row.tick > info.first_tick && row.tick - info.first_tick <= info.ticks;
-        let (state, after) = rest.split_at_checked(usize::try_from(row.length).ok()?)?;
+        let inside = tick > info.first_tick && tick - info.first_tick <= info.ticks;
+        let (bytes, after) = rest.split_at_checked(usize::try_from(length).ok()?)?;
         if !(ascends && inside) {
             return None;
         }
-        keyframes.push((row.tick, state));
+        keyframes.push(Saved { tick, offset, bytes });
+        offset += length;
         rest = after;
     }
     rest.is_empty().then_some(keyframes)

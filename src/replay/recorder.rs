@@ -23,6 +23,7 @@ pub struct Recorder<S: Simulation> {
 impl<S: Simulation> Recorder<S> {
     /// Starts a recording at the simulation's present tick, with a keyframe every `interval` ticks;
     /// 0 for none.
+    #[must_use]
     pub fn new(simulation: S, interval: u32) -> Self {
         let mut start = Vec::new();
         simulation.save_into(&mut start);
@@ -45,6 +46,7 @@ impl<S: Simulation> Recorder<S> {
     }
 
     /// What is recorded, as it is now.
+    #[must_use]
     pub fn simulation(&self) -> &S {
         &self.simulation
     }
@@ -53,7 +55,8 @@ impl<S: Simulation> Recorder<S> {
     /// order.
     ///
     /// # Panics
-    /// When the inputs of one tick take 4 GiB or more.
+    /// When an input does not keep to what [`Simulation::Input`] demands, or those of one tick
+    /// take 4 GiB or more.
     pub fn step(&mut self, inputs: &[S::Input]) -> Hash {
         let mut sorted = inputs.to_vec();
         sorted.sort_unstable();

@@ -14,7 +14,8 @@ use crate::world::{Command, World};
 /// state (the world's snapshot and the game's own) is what is hashed. Its `step` must be a function
 /// of state and inputs: no clock, no floats, no order of a hash map.
 pub trait Simulation: Sized {
-    /// One input of one player. Encoded at a fixed width, so without strings, lists or maps.
+    /// One input of one player, encoded in 1 to 4,096 bytes of fixed width: without strings, lists
+    /// or maps.
     type Input: Clone + Ord + Serialize + DeserializeOwned;
 
     /// Tells this kind of simulation from others.

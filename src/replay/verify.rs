@@ -2,6 +2,7 @@
 
 use super::recorder::input_hash;
 use super::{Divergence, DivergenceKind, Replay, Simulation, VerifyError};
+use crate::particle::RangeError;
 use crate::snapshot::{DecodeError, DecodeReason, Hash};
 
 /// Steps a replay from its start and compares inputs, state and keyframes of every tick.
@@ -43,14 +44,15 @@ pub fn verify<S: Simulation>(
 }
 
 /// The simulation just before a tick is stepped: from the last keyframe before it, then by
-/// stepping. O(interval of the keyframes).
+/// stepping: O(ticks before it) to find its inputs, and the steps from the keyframe. Only
+/// [`verify`] compares keyframes with the recorded hashes.
 ///
 /// # Errors
 /// The tick is outside the recording (`OutOfRange`), or the file cannot be replayed.
 pub fn seek<S: Simulation>(replay: &Replay<'_>, tick: u64) -> Result<S, DecodeError> {
     let last = replay.first_tick() + replay.len();
     if !(replay.first_tick()..=last).contains(&tick) {
-        let error = crate::particle::RangeError { field: "tick" };
+        let error = RangeError { field: "tick" };
         return Err(DecodeError::new(0, DecodeReason::OutOfRange(error)));
     }
     let mut simulation = match replay.keyframe_before::<S>(tick)? {

@@ -24,9 +24,9 @@ struct Build {
 
 /// Makes the objects of a scene in the order that the floor's documentation states.
 pub(super) fn build(description: &Description) -> Result<World, SceneError> {
-    let world = WorldBuilder::new(description.config)
-        .map_err(|why| Place::of("config").refuses(why))?
-        .seed(description.seed);
+    let mut world =
+        WorldBuilder::new(description.config).map_err(|why| Place::of("config").refuses(why))?;
+    world.seed(description.seed);
     let mut build = Build { world, particles: Vec::new(), links: Vec::new() };
     for (index, ParticleEntry(spec)) in (0u32..).zip(&description.particles) {
         build.particle(Place::at("particles", index), spec)?;

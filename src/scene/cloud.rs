@@ -4,11 +4,11 @@ use core::iter;
 
 use serde::Deserialize;
 
-use super::number::{Masses, check, decimal, draw_point, shift, vector};
+use super::number::{Masses, decimal, draw_point, shift, vector};
 use super::shape::Shape;
 use crate::constraint::Distance;
 use crate::math::{Pcg, Real, Vec3};
-use crate::particle::{ParticleSpec, RangeError, WORLD_LIMIT, within};
+use crate::particle::{ParticleSpec, RangeError, WORLD_LIMIT, check, within};
 
 /// A cloud as a scene file describes it.
 #[derive(Clone, Debug, Deserialize)]
@@ -37,6 +37,7 @@ impl Shape for Cloud {
 
     fn validate(&self) -> Result<(), RangeError> {
         validate_box(self.min, self.max)?;
+        self.mass.validate()?;
         check(self.speed >= Real::ZERO, "speed")
     }
 

@@ -2,11 +2,11 @@
 
 use serde::Deserialize;
 
-use super::number::{check, decimal, shift, step, vector};
+use super::number::{decimal, shift, step, vector};
 use super::shape::Shape;
 use crate::constraint::{Distance, DistanceForm};
 use crate::math::{Real, Unit, Vec3};
-use crate::particle::{ParticleSpec, RangeError, WORLD_LIMIT, within};
+use crate::particle::{ParticleSpec, RangeError, WORLD_LIMIT, check, within};
 
 /// A net as a scene file describes it.
 #[derive(Clone, Debug, Deserialize)]

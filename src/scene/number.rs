@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer};
 
 use crate::math::wide::round_div_wide;
 use crate::math::{DecimalError, Pcg, Real, UnitVec3, Vec3};
-use crate::particle::RangeError;
+use crate::particle::{Particle, RangeError, check};
 
 /// A decimal, plain or quoted.
 struct Decimal<T>(T);
@@ -72,6 +72,12 @@ impl<'de> Deserialize<'de> for Masses {
 }
 
 impl Masses {
+    /// Checks both ends of the range.
+    pub(super) fn validate(self) -> Result<(), RangeError> {
+        let range = Particle::MASS_MIN..=Particle::MASS_MAX;
+        check(range.contains(&self.first) && range.contains(&self.last), "mass")
+    }
+
     /// The mass after `part` of `whole` steps from the first to the last.
     pub(super) fn step(self, part: u32, whole: u32) -> Real {
         let Self { first, last } = self;
@@ -113,11 +119,6 @@ pub(super) fn draw_point(random: &mut Pcg, min: Vec3, max: Vec3) -> Vec3 {
     let y = draw(random, min.y, max.y);
     let z = draw(random, min.z, max.z);
     Vec3 { x, y, z }
-}
-
-/// A field that does not satisfy its condition is out of range.
-pub(super) fn check(good: bool, field: &'static str) -> Result<(), RangeError> {
-    if good { Ok(()) } else { Err(RangeError { field }) }
 }
 
 /// Moves an absolute position by the scene's origin.

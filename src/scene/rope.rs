@@ -4,11 +4,11 @@ use alloc::vec::Vec;
 
 use serde::Deserialize;
 
-use super::number::{Masses, check, decimal, shift, step, vector};
+use super::number::{Masses, decimal, shift, step, vector};
 use super::shape::Shape;
 use crate::constraint::{Distance, DistanceForm};
 use crate::math::{Unit, Vec3};
-use crate::particle::{ParticleSpec, RangeError, WORLD_LIMIT, within};
+use crate::particle::{ParticleSpec, RangeError, WORLD_LIMIT, check, within};
 
 /// A rope as a scene file describes it.
 #[derive(Clone, Debug, Deserialize)]
@@ -41,6 +41,7 @@ impl Shape for Rope {
         check(within(self.from, WORLD_LIMIT), "from")?;
         check(within(self.to, WORLD_LIMIT), "to")?;
         check(self.particles >= 2, "particles")?;
+        self.mass.validate()?;
         check(cfg!(planted) || self.pinned.iter().all(|&k| k < self.particles), "pinned")
     }
 

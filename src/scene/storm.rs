@@ -6,10 +6,10 @@ use serde::Deserialize;
 
 use super::cloud::{draw_velocity, validate_box};
 use super::distance::as_placed;
-use super::number::{Masses, check, decimal, draw_point, shift, vector};
+use super::number::{Masses, decimal, draw_point, shift, vector};
 use crate::constraint::{Distance, DistanceForm};
 use crate::math::{Pcg, Real, Vec3};
-use crate::particle::{ParticleId, ParticleSpec, RangeError};
+use crate::particle::{ParticleId, ParticleSpec, RangeError, check};
 use crate::world::{Action, ObjectId, World};
 
 /// A storm as a scene file describes it.
@@ -58,6 +58,7 @@ impl Storm {
         check(self.links <= PER_TICK_MAX, "links")?;
         check(self.impulses <= PER_TICK_MAX, "impulses")?;
         validate_box(self.min, self.max)?;
+        self.mass.validate()?;
         check(self.speed >= Real::ZERO, "speed")
     }
 

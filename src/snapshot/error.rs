@@ -41,8 +41,14 @@ pub enum DecodeReason {
     Record,
     /// A number is out of its range.
     OutOfRange(RangeError),
-    /// The file is longer, or asks for more, than is allowed.
-    TooLarge,
+    /// The replay is of another simulation, or of another version of its rules: it proves nothing
+    /// about this one.
+    Simulation {
+        /// The name of the simulation that made the file.
+        name: [u8; 16],
+        /// The version of that simulation's rules.
+        version: u32,
+    },
 }
 
 impl DecodeError {
@@ -73,7 +79,10 @@ impl fmt::Display for DecodeReason {
             Self::Trailing => f.write_str("bytes follow the last section"),
             Self::Record => f.write_str("a record holds something that it must not"),
             Self::OutOfRange(error) => error.fmt(f),
-            Self::TooLarge => f.write_str("larger than allowed"),
+            Self::Simulation { name, version } => {
+                let name = name.escape_ascii();
+                write!(f, "recorded by \"{name}\" version {version}: nothing proven")
+            }
         }
     }
 }

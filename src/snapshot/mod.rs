@@ -1,8 +1,8 @@
 //! Floor 8: a world as bytes, and its hash.
 //!
-//! A snapshot is a [container](Container): a header, a table of sections, the hash of both, then the
-//! sections, each a flat array of little-endian records. `FORMAT.md` describes every byte. The hash
-//! of the table covers the hash of every section, so it is the hash of the whole state:
+//! A snapshot is a [container](Container): a header, a table of sections, the hash of both, then
+//! the sections, each a flat array of little-endian records. `FORMAT.md` describes every byte. The
+//! hash of the table covers the hash of every section, so it is the hash of the whole state:
 //! [`World::hash`](crate::world::World::hash) computes just that, without making the bytes.
 //!
 //! Complexity: saving, loading and hashing are O(state). Sections that did not change since they

@@ -70,10 +70,10 @@ impl Rows<'_> {
         let fresh = || Hash::of(&self.bytes()).0;
         Hash(match self {
             Self::World(_) | Self::Positions(_) | Self::Displacements(_) => fresh(),
-            Self::Slots(column) => column.hash_or(|_| fresh()),
-            Self::Particles(column) => column.hash_or(|_| fresh()),
-            Self::Distances(column) => column.hash_or(|_| fresh()),
-            Self::HalfSpaces(column) => column.hash_or(|_| fresh()),
+            Self::Slots(column) => column.hash_or(fresh),
+            Self::Particles(column) => column.hash_or(fresh),
+            Self::Distances(column) => column.hash_or(fresh),
+            Self::HalfSpaces(column) => column.hash_or(fresh),
         })
     }
 }

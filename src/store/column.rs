@@ -12,7 +12,7 @@ use super::Memo;
 /// change. Every way to write goes through [`edit`](Self::edit), which drops the kept hash and
 /// raises the mark that tells the owner to rebuild what it derived.
 #[derive(Clone, Debug)]
-pub struct Column<T> {
+pub(crate) struct Column<T> {
     shared: Arc<Shared<T>>,
     changed: bool,
 }
@@ -32,7 +32,7 @@ impl<T: Clone> Clone for Shared<T> {
 
 impl<T: Clone> Column<T> {
     /// Write access. O(1), or O(n) while a clone shares the records.
-    pub fn edit(&mut self) -> &mut Vec<T> {
+    pub(crate) fn edit(&mut self) -> &mut Vec<T> {
         self.changed = true;
         let shared = Arc::make_mut(&mut self.shared);
         shared.hash.clear();
@@ -40,13 +40,13 @@ impl<T: Clone> Column<T> {
     }
 
     /// Whether the records were edited since this was last asked.
-    pub fn take_changed(&mut self) -> bool {
+    pub(crate) fn take_changed(&mut self) -> bool {
         core::mem::take(&mut self.changed)
     }
 
-    /// The hash of the records: the kept one, or `compute(records)`.
-    pub fn hash_or(&self, compute: impl FnOnce(&[T]) -> u128) -> u128 {
-        self.shared.hash.get_or(|| compute(&self.shared.items))
+    /// The hash of the records: the kept one, or what `compute` makes of them.
+    pub(crate) fn hash_or(&self, compute: impl FnOnce() -> u128) -> u128 {
+        self.shared.hash.get_or(compute)
     }
 }
 

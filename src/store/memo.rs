@@ -5,7 +5,7 @@
 /// Without `std` there is no lock to fill it under, so the value is computed at every call. A memo
 /// can therefore never change a result, only the time it takes.
 #[derive(Debug)]
-pub struct Memo<T> {
+pub(crate) struct Memo<T> {
     #[cfg(feature = "std")]
     cell: std::sync::OnceLock<T>,
     #[cfg(not(feature = "std"))]
@@ -15,25 +15,25 @@ pub struct Memo<T> {
 impl<T: Copy> Memo<T> {
     /// The value kept, or `compute()`, which is then kept.
     #[cfg(feature = "std")]
-    pub fn get_or(&self, compute: impl FnOnce() -> T) -> T {
+    pub(crate) fn get_or(&self, compute: impl FnOnce() -> T) -> T {
         *self.cell.get_or_init(compute)
     }
 
     /// The value of `compute()`.
     #[cfg(not(feature = "std"))]
-    pub fn get_or(&self, compute: impl FnOnce() -> T) -> T {
+    pub(crate) fn get_or(&self, compute: impl FnOnce() -> T) -> T {
         compute()
     }
 
     /// Forgets the value: call this wherever the source changes.
     #[cfg(feature = "std")]
-    pub fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.cell.take();
     }
 
     /// Nothing to forget.
     #[cfg(not(feature = "std"))]
-    pub fn clear(&mut self) {}
+    pub(crate) fn clear(&mut self) {}
 }
 
 impl<T> Default for Memo<T> {

@@ -4,7 +4,8 @@
 //! tenant, so that a handle to something removed is recognised instead of reaching its successor.
 //! [`Slots`] hands the slots out, the lowest free one first: which slot an object gets is a
 //! function of the history alone. A [`Column`] holds seldom changed records, shared between clones;
-//! a [`Table`] gives such records handles; a [`Memo`] keeps a derived value until its source changes.
+//! a [`Table`] gives such records handles; a [`Memo`] keeps a derived value until its source
+//! changes.
 
 mod column;
 mod handle;
@@ -12,9 +13,9 @@ mod memo;
 mod slots;
 mod table;
 
-pub use column::Column;
+pub(crate) use column::Column;
 pub use handle::Handle;
 pub(crate) use handle::slot_index;
-pub use memo::Memo;
-pub use slots::Slots;
-pub use table::Table;
+pub(crate) use memo::Memo;
+pub(crate) use slots::Slots;
+pub(crate) use table::Table;

@@ -14,7 +14,7 @@ const RETIRED: u32 = u32::MAX - 1;
 /// The state is one generation a slot: odd while the slot is taken, even while it is free. The heap
 /// of free slots is derived from it.
 #[derive(Debug, Default)]
-pub struct Slots {
+pub(crate) struct Slots {
     generations: Column<u32>,
     free: BinaryHeap<Reverse<u32>>,
 }
@@ -22,37 +22,37 @@ pub struct Slots {
 impl Slots {
     /// Rebuilds the slots from their generations.
     #[must_use]
-    pub fn from_generations(generations: Vec<u32>) -> Self {
+    pub(crate) fn from_generations(generations: Vec<u32>) -> Self {
         let free = (0u32..).zip(&generations);
         let free = free.filter(|&(_, &g)| g % 2 == 0 && g < RETIRED).map(|(i, _)| Reverse(i));
         Self { free: free.collect(), generations: generations.into() }
     }
 
+    /// Whether every generation is one that inserting and removing can lead to.
+    #[must_use]
+    pub(crate) fn is_sound(&self) -> bool {
+        self.generations.iter().all(|&generation| generation <= RETIRED)
+    }
+
     /// One generation a slot.
     #[must_use]
-    pub fn generations(&self) -> &Column<u32> {
+    pub(crate) fn generations(&self) -> &Column<u32> {
         &self.generations
     }
 
     /// Whether slots were taken or freed since this was last asked.
-    pub fn take_changed(&mut self) -> bool {
+    pub(crate) fn take_changed(&mut self) -> bool {
         self.generations.take_changed()
     }
 
     /// The number of slots, taken and free.
     #[must_use]
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.generations.len()
     }
 
-    /// Whether there is no slot at all.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.generations.is_empty()
-    }
-
     /// Takes the lowest free slot, or a new one at the end. O(log free).
-    pub fn insert(&mut self) -> Handle {
+    pub(crate) fn insert(&mut self) -> Handle {
         let generations = self.generations.edit();
         let index = if let Some(Reverse(index)) = self.free.pop() {
             index
@@ -66,12 +66,12 @@ impl Slots {
     }
 
     /// Frees a slot; `false` if the handle is stale. O(log free).
-    pub fn remove(&mut self, handle: Handle) -> bool {
+    pub(crate) fn remove(&mut self, handle: Handle) -> bool {
         if !self.contains(handle) {
             return false;
         }
         let generation = &mut self.generations.edit()[handle.slot()];
-        *generation = generation.saturating_add(1).min(RETIRED);
+        *generation += 1;
         if *generation < RETIRED {
             self.free.push(Reverse(handle.index));
         }
@@ -80,33 +80,33 @@ impl Slots {
 
     /// Whether the handle names a living object.
     #[must_use]
-    pub fn contains(&self, handle: Handle) -> bool {
+    pub(crate) fn contains(&self, handle: Handle) -> bool {
         handle.generation % 2 == 1
             && self.generations.get(handle.slot()) == Some(&handle.generation)
     }
 
     /// The handle of the slot's tenant.
     #[must_use]
-    pub fn tenant(&self, index: u32) -> Option<Handle> {
+    pub(crate) fn tenant(&self, index: u32) -> Option<Handle> {
         let generation = *self.generations.get(index as usize)?;
         (generation % 2 == 1).then_some(Handle { index, generation })
     }
 
     /// All living objects in order of their slots.
-    pub fn iter(&self) -> impl Iterator<Item = Handle> + '_ {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = Handle> + '_ {
         let all = (0u32..).zip(self.generations.iter());
         all.filter(|&(_, &g)| g % 2 == 1).map(|(index, &generation)| Handle { index, generation })
     }
 
     /// Whether another object fits when there may be `most` slots.
     #[must_use]
-    pub fn has_room(&self, most: usize) -> bool {
+    pub(crate) fn has_room(&self, most: usize) -> bool {
         !self.free.is_empty() || self.len() < most
     }
 
     /// The number of living objects. O(slots).
     #[must_use]
-    pub fn live(&self) -> usize {
+    pub(crate) fn live(&self) -> usize {
         self.iter().count()
     }
 }

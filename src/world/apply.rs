@@ -1,9 +1,13 @@
 //! Carrying out the commands of a tick.
 
+use alloc::vec::Vec;
+
 use super::{Action, Command, EventKind, ObjectId, Refusal, World, WorldConfig};
 use crate::math::Vec3;
-use crate::math::wide::{add, round_div_wide, sub, to_i32, to_i64};
-use crate::particle::{Particle, ParticleId, RangeError, WORLD_LIMIT, check, clamp_length, within};
+use crate::math::wide::{add, round_div_wide, to_i32, to_i64};
+use crate::particle::{
+    Pace, Particle, ParticleId, RangeError, WORLD_LIMIT, check, clamp_longest, within,
+};
 
 type Done = Result<(), Refusal>;
 
@@ -90,22 +94,32 @@ impl World {
         let mut row = before;
         change(&mut row);
         row.validate()?;
-        if row.is_movable() != before.is_movable() {
-            self.hand_over(id, &before, &row);
-        }
+        let config = self.state.config;
+        let accelerations = [&before, &row].map(|row| config.acceleration(row));
         self.state.particles.table.set(id.0, row);
+        self.hand_over(id, [config.pace(); 2], accelerations);
         Ok(())
     }
 
-    /// Keeps the velocity of a particle that begins or ceases to be driven by its acceleration.
-    fn hand_over(&mut self, id: ParticleId, before: &Particle, after: &Particle) {
-        let config = &self.state.config;
-        // A start from rest moves by -a h^2 / 2, at most 2^42; nothing where there is no drive.
-        let rest = |row| config.pace().rest(config.acceleration(row));
-        let displacement = &mut self.state.particles.displacement[id.0.slot()];
-        let kept = add(sub(displacement.map(i64::from), rest(before)), rest(after));
-        let cut = clamp_length(kept, config.displacement_max.raw());
-        *displacement = cut.unwrap_or(kept).map(to_i32); // at most 2^30
+    /// Keeps the velocity of a particle whose pace or acceleration changed.
+    fn hand_over(&mut self, id: ParticleId, [old, new]: [Pace; 2], [before, after]: [[i64; 3]; 2]) {
+        let displacement = self.state.particles.displacement[id.0.slot()];
+        let kept = if (old, before) == (new, after) {
+            displacement.map(i64::from)
+        } else {
+            old.convert(displacement, before, new, after)
+        };
+        self.set_displacement(id, kept);
+    }
+
+    /// Sets a displacement of at most 2^61, cut to the maximum with an event.
+    fn set_displacement(&mut self, id: ParticleId, displacement: [i64; 3]) {
+        let cut = clamp_longest(displacement, self.state.config.displacement_max.raw());
+        let kept = cut.unwrap_or(displacement).map(to_i32); // at most 2^30
+        self.state.particles.displacement[id.0.slot()] = kept;
+        if cut.is_some() {
+            self.report(EventKind::DisplacementClamped { particle: id });
+        }
     }
 
     fn remove(&mut self, object: ObjectId) -> Done {
@@ -131,7 +145,7 @@ impl World {
             return;
         }
         let removed = core::mem::take(&mut self.work.removed);
-        let orphans: alloc::vec::Vec<_> = self
+        let orphans: Vec<_> = self
             .distances()
             .filter(|(_, distance)| removed.contains(&distance.a) || removed.contains(&distance.b))
             .map(|(id, _)| id)
@@ -163,13 +177,8 @@ impl World {
     fn impulse(&mut self, id: ParticleId, impulse: Vec3) -> Done {
         let mass = self.movable(id)?.mass;
         let kick = self.state.config.pace().kick(impulse.raw(), mass);
-        let displacement = &mut self.state.particles.displacement[id.0.slot()];
-        let sum = add(displacement.map(i64::from), kick);
-        let cut = clamp_length(sum, self.state.config.displacement_max.raw());
-        *displacement = cut.unwrap_or(sum).map(to_i32); // at most 2^30
-        if cut.is_some() {
-            self.report(EventKind::DisplacementClamped { particle: id });
-        }
+        let displacement = self.state.particles.displacement[id.0.slot()];
+        self.set_displacement(id, add(displacement.map(i64::from), kick));
         Ok(())
     }
 
@@ -207,19 +216,20 @@ impl World {
         .ok_or(Refusal::Stale { field: "object" })
     }
 
-    /// Velocities survive a change of the pace; what then exceeds the new maximum is cut.
+    /// Velocities survive; what then exceeds the new maximum is cut. O(particles).
     fn configure(&mut self, config: &WorldConfig) -> Done {
         config.validate()?;
-        let state = &mut self.state;
-        let (old, new) = (state.config.pace(), config.pace());
-        if old != new {
-            state.phase = 0;
+        let old = core::mem::replace(&mut self.state.config, *config);
+        let paces = [old.pace(), config.pace()];
+        if paces[0] != paces[1] {
+            self.state.phase = 0;
         }
-        let limit = config.displacement_max.raw();
-        for displacement in &mut state.particles.displacement {
-            *displacement = old.rescale(new, *displacement, limit);
+        let ids: Vec<_> = self.state.particles.ids().collect();
+        for id in ids {
+            let row = &self.state.particles.table.rows()[id.0.slot()];
+            let accelerations = [&old, config].map(|config| config.acceleration(row));
+            self.hand_over(id, paces, accelerations);
         }
-        state.config = *config;
         Ok(())
     }
 }

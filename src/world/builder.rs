@@ -22,10 +22,8 @@ impl WorldBuilder {
     }
 
     /// Seeds the world's random generator (0 if this is not called).
-    #[must_use]
-    pub fn seed(mut self, seed: u64) -> Self {
+    pub fn seed(&mut self, seed: u64) {
         self.state.seed(seed);
-        self
     }
 
     /// Adds a particle.

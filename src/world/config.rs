@@ -2,14 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::constraint::ITERATIONS_MAX;
+use crate::constraint::{HalfSpace, ITERATIONS_MAX};
+use crate::math::wide::{dot_wide, round_div, round_div_wide, to_i64};
 use crate::math::{Real, Vec3};
 use crate::particle::{
     DISPLACEMENT_LIMIT, Pace, Particle, RangeError, acceleration, check, within,
 };
 use crate::real;
 
-/// Configuration of a world: state, changed only by [`Action::Configure`](super::Action::Configure).
+/// Configuration of a world: state that only [`Action::Configure`](super::Action::Configure)
+/// changes.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 pub struct WorldConfig {
     /// Ticks per second, 1 to 1,000. Default 60. Velocities survive a change, rounded once.
@@ -23,8 +25,8 @@ pub struct WorldConfig {
     /// Share of its velocity that a particle loses in a second, as a rate: 0 to 1,000 per second,
     /// at most `tick_rate`. Default 0.
     pub damping: Real,
-    /// Metres that a particle may move in one substep, more than 0, at most 64. Default 64. What
-    /// would go further is cut, with an event.
+    /// Metres that a particle may move along each axis in one substep, more than 0, at most 64.
+    /// Default 64. What would go further is cut, keeping its direction, with an event.
     pub displacement_max: Real,
 }
 
@@ -64,7 +66,16 @@ impl WorldConfig {
         let rate = i64::from(self.tick_rate * self.substeps);
         // damping <= 2^34 raw: 42 bits.
         let shift = 32 - Real::FRACTION_BITS;
-        crate::math::wide::round_div(self.damping.raw() << shift, rate).unsigned_abs()
+        round_div(self.damping.raw() << shift, rate).unsigned_abs()
+    }
+
+    /// Approaches to a surface slower than this do not bounce, raw units a substep: what the
+    /// particle's acceleration makes in two ticks, `2 |n.a| dt h`.
+    pub(crate) fn bounce_min(&self, particle: &Particle, surface: &HalfSpace) -> i64 {
+        // 31 + 59 bits; the acceleration has 16 more fractional bits than a position, n has 30.
+        let along = dot_wide(surface.normal.raw(), self.acceleration(particle)).abs();
+        let per_second_sq = i128::from(self.tick_rate).pow(2) * i128::from(self.substeps);
+        to_i64(round_div_wide(2 * along, per_second_sq << (30 + 16)))
     }
 
     /// The acceleration of a particle under this gravity; none if it cannot move.

@@ -5,9 +5,8 @@ use alloc::sync::Arc;
 use alloc::vec::Vec;
 
 use super::{Command, Event, EventKind, State, World};
-use crate::constraint::{Distance, Plan, Surface, Touch, collide, settle};
-use crate::math::wide::{dot_wide, round_div_wide, to_i64};
-use crate::particle::{Drive, Fault, Particle, ParticleId, PinMotion, Substep};
+use crate::constraint::{Carry, Distance, HalfSpace, Plan, Touch, collide, settle};
+use crate::particle::{Drive, Fault, Particle, ParticleId, ParticleSet, PinMotion, Substep};
 use crate::store::Table;
 
 /// Buffers of one tick. Nothing in them outlives it, so they are neither saved nor cloned.
@@ -25,10 +24,13 @@ pub(super) struct Work {
     pin_motions: Vec<PinMotion>,
     /// Forces on particles that can still move.
     pushes: Vec<(u32, [i64; 3])>,
-    surfaces: Vec<Surface>,
+    /// The half-spaces that are enabled.
+    surfaces: Vec<HalfSpace>,
     /// Positions at the start of the substep.
     start: Vec<[i64; 3]>,
     touches: Vec<Touch>,
+    /// What rounding left over of each link's last correction.
+    carries: Vec<Carry>,
 }
 
 /// What is derived from the objects. Shared by clones; unable to change a result.
@@ -67,6 +69,7 @@ impl World {
             self.relax();
             self.close();
             self.settle_velocities();
+            self.sort_events();
         }
         self.end();
         &self.events
@@ -90,29 +93,23 @@ impl World {
 
     /// Collects what acts in all substeps of this tick.
     fn gather(&mut self) {
-        let Self { state, work, .. } = self;
+        let Self { state, work, caches, .. } = self;
+        work.carries.clear();
+        work.carries.resize(caches.plan.links().len(), Carry::default());
         let row = |id: &ParticleId| state.particles.particle(*id);
         let pinned = |id: &ParticleId| row(id).is_some_and(|row| row.pinned && row.enabled);
         let pins = work.pins.iter().filter(|(id, _)| pinned(id));
         work.pin_motions.clear();
         work.pin_motions
-            .extend(pins.map(|(id, target)| PinMotion { index: id.0.index, target: *target }));
+            .extend(pins.map(|(id, target)| PinMotion { particle: *id, target: *target }));
         let movable = |id: &ParticleId| row(id).is_some_and(Particle::is_movable);
         let forces = work.forces.iter().filter(|(id, _)| movable(id));
         work.pushes.clear();
         work.pushes.extend(forces.map(|(id, acceleration)| (id.0.index, *acceleration)));
 
-        let config = &state.config;
-        // Twice gravity times tick times substep: g <= 2^35.6 along the normal.
-        let per_second = i128::from(config.tick_rate) * i128::from(config.tick_rate);
-        let divisor = per_second * i128::from(config.substeps);
         let active = state.half_spaces.iter().filter(|(_, shape)| shape.enabled);
         work.surfaces.clear();
-        work.surfaces.extend(active.map(|(_, &shape)| {
-            let along = dot_wide(shape.normal.raw(), config.gravity.raw());
-            let bounce_min = to_i64(round_div_wide(2 * along.abs(), divisor << 30));
-            Surface { shape, bounce_min }
-        }));
+        work.surfaces.extend(active.map(|(_, shape)| *shape));
     }
 
     /// Verlet integration; pinned particles follow their targets.
@@ -131,7 +128,8 @@ impl World {
         state.particles.integrate(&substep, &caches.drive, &mut work.start, report);
         state.particles.push(&substep, &work.pushes);
         let left = config.substeps - index;
-        state.particles.move_pins(&work.pin_motions, left, substep.displacement_max);
+        let report = reporter(events, state.tick);
+        state.particles.move_pins(&work.pin_motions, left, substep.displacement_max, report);
         state.phase = (state.phase + 1) % pace.phases();
     }
 
@@ -141,7 +139,7 @@ impl World {
         let position = &mut state.particles.position;
         let moves = |slot: usize| caches.drive[slot] != Drive::Still;
         for _ in 0..state.config.iterations {
-            caches.plan.relax(&work.start, position);
+            caches.plan.relax(&work.start, position, &mut work.carries);
             collide(&work.surfaces, moves, &work.start, position, &mut work.touches);
         }
     }
@@ -155,15 +153,32 @@ impl World {
 
     /// Contacts decide with which velocity their particles leave; positions stay.
     fn settle_velocities(&mut self) {
-        let Self { state, work, .. } = self;
-        let limit = state.config.displacement_max.raw();
-        let displacement = &mut state.particles.displacement;
-        settle(&work.surfaces, &mut work.touches, displacement, limit);
+        let Self { state, work, events, .. } = self;
+        let State { tick, config, particles, .. } = state;
+        let ParticleSet { table, displacement, .. } = particles;
+        let mut report = reporter(events, *tick);
+        settle(
+            &work.surfaces,
+            |slot, surface| config.bounce_min(&table.rows()[slot], surface),
+            &mut work.touches,
+            displacement,
+            config.displacement_max.raw(),
+            |index| {
+                if let Some(handle) = table.slots().tenant(index) {
+                    report(ParticleId(handle), Fault::DisplacementClamped);
+                }
+            },
+        );
+    }
+
+    /// Once a substep, so that what happens in every one of them takes no more room.
+    fn sort_events(&mut self) {
+        self.events.sort_unstable();
+        self.events.dedup();
     }
 
     fn end(&mut self) {
-        self.events.sort_unstable();
-        self.events.dedup();
+        self.sort_events();
         self.state.tick += 1;
     }
 

@@ -103,15 +103,20 @@ fn a_changed_score_diverges() {
 /// A recording of another game, or of other rules of the same, proves nothing.
 #[test]
 fn another_game_is_refused() {
-    let other = DecodeError { offset: 0, reason: DecodeReason::NotThisKind };
     let bytes = record().replay();
     let replay = Replay::parse(&bytes).expect("a sound replay");
-    assert_eq!(verify::<World>(&replay, |_| ()), Err(VerifyError::Decode(other)));
+    let other = |replay: &Replay<'_>| {
+        let reason = DecodeReason::Simulation { name: replay.name(), version: replay.version() };
+        let (_, info) = replay.sections().next().expect("the first section");
+        DecodeError { offset: info.offset, reason }
+    };
+    assert_eq!(verify::<World>(&replay, |_| ()), Err(VerifyError::Decode(other(&replay))));
     for at in [0, 15, 16] {
         let mut parts = Parts::of(&bytes);
         parts.section(1)[at] ^= 1;
         let bytes = parts.file();
         let replay = Replay::parse(&bytes).expect("sound hashes");
+        let other = other(&replay);
         assert_eq!(verify::<Game>(&replay, |_| ()), Err(VerifyError::Decode(other)));
         assert_eq!(seek::<Game>(&replay, 4).err(), Some(other));
     }

@@ -38,7 +38,8 @@ pub fn small() -> World {
         damping: real!("0.5"),
         displacement_max: real!("2"),
     };
-    let mut builder = WorldBuilder::new(config).expect("a good configuration").seed(7);
+    let mut builder = WorldBuilder::new(config).expect("a good configuration");
+    builder.seed(7);
     let at = |x: i32, y: i32| ParticleSpec::at(Vec3::new(x.into(), y.into(), real!("0.5")));
     let mut own = at(2, 2).velocity(Vec3::X).mass(real!("2.5"));
     own.particle.gravity_scale = Factor::from_raw(3 << 15);

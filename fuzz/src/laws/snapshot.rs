@@ -50,7 +50,8 @@ pub(super) fn is_inside(error: DecodeError, bytes: &[u8]) {
 /// A world with contents of its own, which must not show through.
 pub(super) fn other_world() -> World {
     let config = WorldConfig { substeps: 3, ..WorldConfig::default() };
-    let mut builder = WorldBuilder::new(config).expect("in range").seed(7);
+    let mut builder = WorldBuilder::new(config).expect("in range");
+    builder.seed(7);
     for height in 0..5 {
         let spec = ParticleSpec::at(Vec3::from_ints(0, height, 0));
         builder.particle(&spec).expect("in range");

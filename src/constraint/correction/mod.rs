@@ -15,6 +15,11 @@
 //! scaled (`d` or `r`) and `c` the correction of both ends together: the momentum error of a
 //! projection is at most `(m_a + m_b) (1/2 + (|v| + |c|) / 2^31)` ulp, within 64 m below 2 ulp.
 //!
+//! Rounding moves a particle sideways, and the speed it so gains or loses would wander like the
+//! square root of time. The start-of-step form, which otherwise keeps energy, therefore carries
+//! what rounding left over to the next correction of the same tick (the bound above is then 1
+//! instead of 1/2, over the tick still 1/2): at 4 substeps a pendulum's energy wanders half as far.
+//!
 //! A correction is never longer than 64 m (exact: `clamp`) or 0.23 * 1.42 * 1,024 m < 2^32.4 ulp
 //! (start of step: its guard). Particles that coincide have no direction and are left alone.
 
@@ -25,7 +30,7 @@ use super::distance::DistanceForm;
 use crate::math::root::{root_nearest, root_nearest_wide};
 use crate::math::wide::{
     NARROW_MAX, dot_narrow, dot_wide, is_narrow, round_div, round_div_wide, round_shift,
-    round_shift_wide, sub, to_i64,
+    round_shift_wide, sub, to_i32, to_i64,
 };
 use crate::particle::DISPLACEMENT_LIMIT;
 
@@ -47,35 +52,49 @@ pub(crate) struct Link {
 /// What is added to each end.
 pub(crate) type Correction = [[i64; 3]; 2];
 
+/// What rounding left over of the last correction of each end: ulp with 30 fractional bits, at
+/// most half an ulp. All zero at the start of a tick, so that it need not be saved.
+pub(crate) type Carry = [[i32; 3]; 2];
+
 impl Link {
     /// The correction for the ends' positions `now` and at the `start` of the substep.
     #[inline]
-    pub(crate) fn correct(&self, start: [[i64; 3]; 2], now: [[i64; 3]; 2]) -> Correction {
+    pub(crate) fn correct(
+        &self,
+        start: [[i64; 3]; 2],
+        now: [[i64; 3]; 2],
+        carry: &mut Carry,
+    ) -> Correction {
         let d = sub(now[1], now[0]);
         let r = match self.form {
             DistanceForm::Exact => [0; 3],
             DistanceForm::StartOfStep => sub(start[1], start[0]),
         };
         if is_narrow(d) && is_narrow(r) && self.rest_length <= NARROW_MAX {
-            self.narrow(d, r)
+            self.narrow(d, r, carry)
         } else {
-            self.wide(d, r)
+            self.wide(d, r, carry)
         }
     }
 
     /// Opposite moves of the ends; the same integer where the gains are equal.
     #[inline]
-    fn at_ends(&self, scaled: impl Fn(i64) -> [i64; 3]) -> Correction {
+    fn at_ends(
+        &self,
+        carry: &mut Carry,
+        scaled: impl Fn(i64, &mut [i32; 3]) -> [i64; 3],
+    ) -> Correction {
         let [gain_a, gain_b] = self.gains.map(i64::from);
-        let at = |gain| if gain == 0 { [0; 3] } else { scaled(gain) };
-        let b = at(gain_b);
-        let a = if gain_a == gain_b { b } else { at(gain_a) };
+        let [carry_a, carry_b] = carry;
+        let at = |gain, carry: &mut _| if gain == 0 { [0; 3] } else { scaled(gain, carry) };
+        let b = at(gain_b, carry_b);
+        let a = if gain_a == gain_b { b } else { at(gain_a, carry_a) };
         [a.map(|c| -c), b]
     }
 
     /// Components of `d` and `r` and the rest length at most 2^30: products fit 64 bits.
     #[inline]
-    fn narrow(&self, d: [i64; 3], r: [i64; 3]) -> Correction {
+    fn narrow(&self, d: [i64; 3], r: [i64; 3], carry: &mut Carry) -> Correction {
         let length_sq = dot_narrow(d, d); // <= 3 * 2^60
         if self.form == DistanceForm::StartOfStep {
             let rest_sq = self.rest_length * self.rest_length; // <= 2^60
@@ -84,11 +103,16 @@ impl Link {
             let part = rest_sq >> 4;
             let sound = along > 11 * part && error.abs() < 5 * part;
             if sound && dot_narrow(r, r) < 2 * rest_sq {
-                return self.at_ends(|gain| {
+                return self.at_ends(carry, |gain, carry| {
                     // 59 + 30 bits over 62; the quotient is below 0.23.
                     let numerator = i128::from(error) * i128::from(gain);
                     let g = to_i64(round_div_wide(numerator, 2 * i128::from(along)));
-                    r.map(|c| round_shift(c * g, GAIN_BITS)) // 30 + 28 bits
+                    each(r, carry, |c, carry| {
+                        let exact = c * g + i64::from(*carry); // 30 + 28 bits and 29
+                        let rounded = round_shift(exact, GAIN_BITS);
+                        *carry = to_i32(exact - (rounded << GAIN_BITS)); // within 2^29
+                        rounded
+                    })
                 });
             }
         }
@@ -98,19 +122,18 @@ impl Link {
             return [[0; 3]; 2];
         }
         let error = (self.rest_length - length).clamp(-DISPLACEMENT_LIMIT, DISPLACEMENT_LIMIT);
-        self.at_ends(|gain| {
+        self.at_ends(carry, |gain, _| {
             let g = round_div(error * gain, length); // 30 + 30 bits
             // |c| <= length, so |c g| <= |error| 2^30 + |c| / 2 < 2^61.
             d.map(|c| round_shift(c * g, GAIN_BITS))
         })
     }
 
-    /// The same formulas for components of `d` and `r` up to 2^62.2.
+    /// The same formulas for components of `d` and `r` up to 2^61.8.
     #[cold]
-    fn wide(&self, d: [i64; 3], r: [i64; 3]) -> Correction {
+    fn wide(&self, d: [i64; 3], r: [i64; 3], carry: &mut Carry) -> Correction {
         let length_sq = dot_wide(d, d); // < 2^126
         let rest_length = i128::from(self.rest_length);
-        let shrink = |c: i64, g: i128| to_i64(round_shift_wide(i128::from(c) * g, GAIN_BITS));
         if self.form == DistanceForm::StartOfStep {
             let rest_sq = rest_length * rest_length; // <= 2^68
             let error = rest_sq - length_sq;
@@ -118,10 +141,15 @@ impl Link {
             let part = rest_sq >> 4;
             let sound = along > 11 * part && error.abs() < 5 * part;
             if sound && dot_wide(r, r) < 2 * rest_sq {
-                return self.at_ends(|gain| {
+                return self.at_ends(carry, |gain, carry| {
                     // 67 + 30 bits over 71: |d| and |r| are below 1.42 rest lengths here.
                     let g = round_div_wide(error * i128::from(gain), 2 * along);
-                    r.map(|c| shrink(c, g))
+                    each(r, carry, |c, carry| {
+                        let exact = i128::from(c) * g + i128::from(*carry);
+                        let rounded = round_shift_wide(exact, GAIN_BITS);
+                        *carry = to_i32(to_i64(exact - (rounded << GAIN_BITS)));
+                        to_i64(rounded)
+                    })
                 });
             }
         }
@@ -131,9 +159,17 @@ impl Link {
         }
         let limit = i128::from(DISPLACEMENT_LIMIT);
         let error = (rest_length - length).clamp(-limit, limit);
-        self.at_ends(|gain| {
+        self.at_ends(carry, |gain, _| {
             let g = round_div_wide(error * i128::from(gain), length);
-            d.map(|c| shrink(c, g)) // |c g| <= |error| 2^30 + |c| / 2
+            // |c g| <= |error| 2^30 + |c| / 2
+            d.map(|c| to_i64(round_shift_wide(i128::from(c) * g, GAIN_BITS)))
         })
     }
+}
+
+/// A function of each component and of what is carried for it.
+#[inline]
+fn each(v: [i64; 3], carry: &mut [i32; 3], scale: impl Fn(i64, &mut i32) -> i64) -> [i64; 3] {
+    let [x, y, z] = carry;
+    [scale(v[0], x), scale(v[1], y), scale(v[2], z)]
 }

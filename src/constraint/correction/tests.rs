@@ -63,10 +63,16 @@ fn both_widths_give_the_same_bits() {
         let gains = [gain_a, if random.below(2) == 0 { gain_a } else { gain(random) }];
         let rest_length = rest_length(random, d, r);
         let link = |form| Link { ends: [0, 1], gains, rest_length, form };
+        let mut half = || (random.next_u32() >> 2).cast_signed() - (1 << 29);
+        let carry = [(); 3].map(|()| half());
+        // Equal gains have equal carries.
+        let before = [carry, if gains[0] == gains[1] { carry } else { [half(), half(), 0] }];
         let [exact, start] = [DistanceForm::Exact, DistanceForm::StartOfStep].map(|form| {
             let link = link(form);
-            let narrow = link.narrow(d, r);
-            assert_eq!(narrow, link.wide(d, r), "{link:?}, d {d:?}, r {r:?}");
+            let (mut carry, mut wide_carry) = (before, before);
+            let narrow = link.narrow(d, r, &mut carry);
+            let wide = link.wide(d, r, &mut wide_carry);
+            assert_eq!((narrow, carry), (wide, wide_carry), "{link:?}, d {d:?}, r {r:?}");
             narrow
         });
         along_start += u32::from(exact != start);
@@ -81,7 +87,7 @@ fn the_border_shows_in_no_result() {
         let link = Link { ends: [0, 1], gains: [1 << 29; 2], rest_length: NARROW_MAX, form };
         let moved = [-4, 0, 4, 8].map(|beyond| {
             let b = [NARROW_MAX + beyond, 0, 0];
-            let [a, b] = link.correct([[0; 3], b], [[0; 3], b]);
+            let [a, b] = link.correct([[0; 3], b], [[0; 3], b], &mut Carry::default());
             assert_eq!(a.map(|c| -c), b);
             b[0]
         });
@@ -96,6 +102,6 @@ fn coincident_ends_stay() {
     let link =
         Link { ends: [0, 1], gains: [1 << 30; 2], rest_length: 1, form: DistanceForm::Exact };
     for place in [[0; 3], [1 << 60, -(1 << 60), 7]] {
-        assert_eq!(link.correct([place; 2], [place; 2]), [[0; 3]; 2]);
+        assert_eq!(link.correct([place; 2], [place; 2], &mut Carry::default()), [[0; 3]; 2]);
     }
 }
