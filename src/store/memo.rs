@@ -21,6 +21,7 @@ impl<T: Copy> Memo<T> {
 
     /// The value of `compute()`.
     #[cfg(not(feature = "std"))]
+    #[allow(clippy::unused_self, reason = "there is nothing to fill")]
     pub(crate) fn get_or(&self, compute: impl FnOnce() -> T) -> T {
         compute()
     }
@@ -33,6 +34,7 @@ impl<T: Copy> Memo<T> {
 
     /// Nothing to forget.
     #[cfg(not(feature = "std"))]
+    #[allow(clippy::unused_self, reason = "there is nothing to forget")]
     pub(crate) fn clear(&mut self) {}
 }
 

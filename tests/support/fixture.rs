@@ -5,6 +5,10 @@ use std::path::{Path, PathBuf};
 
 use verlock::scene::Scene;
 
+/// Whether the processor is emulated (`.ci/targets.sh` says so when it builds): what it computes is
+/// then compared on every tick, but what is done to the worlds in between only on some.
+pub const EMULATED: bool = option_env!("VERLOCK_EMULATED").is_some();
+
 /// A scene of `fixtures/scenes`.
 pub struct Fixture {
     pub name: String,
