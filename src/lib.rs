@@ -14,7 +14,7 @@
 //!
 //! # Conventions
 //!
-//! Right-handed, y up. Metres, seconds, kilograms, newtons. Numbers are [`Real`](math::Real): 64
+//! Right-handed, y up. Metres, seconds, kilograms, newtons. Numbers are [`Real`]: 64
 //! bits, 24 of them a fraction (60 nm). A tick is a fixed time step; tick `n` is the step from
 //! [`World::tick`](world::World::tick)` == n` to `n + 1`.
 //!

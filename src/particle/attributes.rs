@@ -42,7 +42,7 @@ pub struct ParticleSpec {
 /// A number is out of the range that its field declares.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct RangeError {
-    /// The field, as it is spelled in the API and in scene files.
+    /// The field, as the API spells it.
     pub field: &'static str,
 }
 

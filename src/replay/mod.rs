@@ -4,6 +4,23 @@
 //! keyframes for seeking. Whoever has it can step again and [`verify`] that every tick comes out
 //! the same. `FORMAT.md` describes every byte.
 //!
+//! ```
+//! use verlock::replay::{Recorder, Replay, seek, verify};
+//! use verlock::{World, WorldBuilder, WorldConfig};
+//!
+//! let world = WorldBuilder::new(WorldConfig::default())?.build();
+//! let mut recorder = Recorder::new(world, 60);
+//! for _ in 0..100 {
+//!     recorder.step(&[]); // confirmed ticks only: roll back in another world
+//! }
+//! let bytes = recorder.replay();
+//! let replay = Replay::parse(&bytes)?;
+//! verify::<World>(&replay, |_| ())?;
+//! let world: World = seek(&replay, 90)?;
+//! assert_eq!(Some(world.hash()), replay.hash_after(89));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! Anything that is a [`Simulation`] can be recorded: a [`World`](crate::world::World) alone, or a
 //! game that owns one and turns its own inputs into commands.
 

@@ -2,9 +2,9 @@
 //!
 //! An object lives in a numbered slot. A [`Handle`] names a slot *and* the generation of its
 //! tenant, so that a handle to something removed is recognised instead of reaching its successor.
-//! [`Slots`] hands the slots out, the lowest free one first: which slot an object gets is a
-//! function of the history alone. A [`Column`] holds seldom changed records, shared between clones;
-//! a [`Table`] gives such records handles; a [`Memo`] keeps a derived value until its source
+//! `Slots` hands the slots out, the lowest free one first: which slot an object gets is a
+//! function of the history alone. A `Column` holds seldom changed records, shared between clones;
+//! a `Table` gives such records handles; a `Memo` keeps a derived value until its source
 //! changes.
 
 mod column;

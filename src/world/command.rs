@@ -160,6 +160,24 @@ pub enum ObjectId {
     HalfSpace(HalfSpaceId),
 }
 
+impl From<ParticleId> for ObjectId {
+    fn from(id: ParticleId) -> Self {
+        Self::Particle(id)
+    }
+}
+
+impl From<DistanceId> for ObjectId {
+    fn from(id: DistanceId) -> Self {
+        Self::Distance(id)
+    }
+}
+
+impl From<HalfSpaceId> for ObjectId {
+    fn from(id: HalfSpaceId) -> Self {
+        Self::HalfSpace(id)
+    }
+}
+
 impl fmt::Display for ObjectId {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

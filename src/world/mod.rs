@@ -104,7 +104,8 @@ impl World {
         self.state.half_spaces.iter().map(|(handle, half_space)| (HalfSpaceId(handle), half_space))
     }
 
-    /// What happened in the last step, ordered by kind and ids.
+    /// What happened in the last step, ordered by kind and ids: nothing after `restore`, the
+    /// source's after `clone_from`.
     ///
     /// Events carry their tick. A rollback game that steps a tick again gets its events again: show
     /// those of confirmed ticks once, those of predicted ticks as predictions.

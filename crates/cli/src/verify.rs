@@ -20,7 +20,8 @@ use crate::verdict::{Compared, Verdict};
 ///
 /// Compares the inputs, the state and the keyframes of every tick with what was recorded, and tells
 /// the first that differs: its tick, both hashes and, where a keyframe was recorded at that tick,
-/// every field of it. Goes on with the next replay whatever it finds.
+/// the first 20 differing fields (`diff` tells all). Goes on with the next replay whatever it
+/// finds.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Verify {
     /// Replays, or folders in which all *.replay are verified
