@@ -63,7 +63,7 @@ foreign_test() {
     local target=$1 module options
     options=$(foreign_options "$target")
     for module in "${foreign_tests[@]}"; do
-        grep -q "^mod $module;" tests/main.rs
+        grep -q "^mod ${module%%::*};" tests/main.rs
     done
     foreign_cargo test --locked -p verlock --test main $options -- "${foreign_tests[@]/%/::}"
 }
