@@ -1,5 +1,6 @@
 //! Arithmetic of scalars, vectors and directions, and their formats.
 
+#[cfg(panic = "unwind")]
 use std::panic::catch_unwind;
 
 use num_bigint::BigInt;
@@ -113,6 +114,7 @@ proptest! {
     }
 }
 
+#[cfg(panic = "unwind")]
 #[test]
 fn operators_panic_in_every_profile() {
     let panics = |f: fn() -> Real| assert!(catch_unwind(f).is_err());
