@@ -53,10 +53,10 @@ fn a_pendulum_keeps_its_height() {
     }
 }
 
-/// Rounding makes the energy wander a little. The last swing counts: the reference figures of such
-/// runs are taken at their end.
+/// Rounding makes the energy wander: +0.219 % on the way, +0.08 % at the end. The bound of 0.2 % at
+/// every peak is missed for now.
 #[test]
-#[ignore = "a million ticks: cargo test --release -- --ignored pendulum --nocapture"]
+#[ignore = "a million ticks, and misses its bound: cargo test --release -- --ignored pendulum"]
 fn a_pendulum_keeps_its_height_for_hours() {
     let all = peaks(1_000_000);
     let (highest, lowest) = all.iter().fold((f64::MIN, f64::MAX), |(highest, lowest), &peak| {
@@ -64,7 +64,7 @@ fn a_pendulum_keeps_its_height_for_hours() {
     });
     let last = all.last().copied().unwrap_or(f64::NAN);
     println!("last peak {last} m; lowest {lowest} m, highest {highest} m");
-    assert!(last.abs() < 2e-3, "{last} m");
+    assert!(highest < 2e-3 && lowest > -2e-3, "peaks from {lowest} to {highest} m");
 }
 
 /// Particles in a ball of 2 m that drift apart slowly, linked at random in both forms.
