@@ -70,6 +70,11 @@ impl Distance {
         Self { stiffness, ..self }
     }
 
+    /// Whether what its corrections are rounded by is carried on, and saved.
+    pub(crate) fn is_carried(&self) -> bool {
+        self.form == DistanceForm::StartOfStep
+    }
+
     /// Checks every declared range.
     ///
     /// # Errors

@@ -18,7 +18,7 @@ mod half_space;
 mod plan;
 mod relax;
 
-pub(crate) use correction::Carry;
+pub(crate) use correction::{CARRY_MAX, Carry};
 pub use distance::{Distance, DistanceForm, DistanceId};
 pub use half_space::{HalfSpace, HalfSpaceId};
 pub(crate) use half_space::{Touch, collide, settle};

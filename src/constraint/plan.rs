@@ -19,23 +19,31 @@ pub(crate) struct Plan {
     links: Vec<Link>,
     /// Where each colour ends in `links`.
     ends: Vec<u32>,
+    /// How many of the constraints, active or not, have a carry.
+    carried: usize,
 }
 
 impl Plan {
     pub(crate) fn new(distances: &Table<Distance>, particles: &Table<Particle>) -> Self {
-        let links: Vec<Link> =
-            distances.iter().filter_map(|(_, distance)| link(distance, particles)).collect();
+        // Those that nothing moves have no link, but keep their place among the carries.
+        let mut carried = 0;
+        let numbered = |(_, distance): (_, &Distance)| {
+            let carry = carried;
+            carried += u32::from(distance.is_carried());
+            link(distance, carry, particles)
+        };
+        let links: Vec<Link> = distances.iter().filter_map(numbered).collect();
         let movable = |link: &Link| {
             let end = |k: usize| (link.gains[k] > 0).then_some(link.ends[k]);
             [end(0), end(1)]
         };
         let movable: Vec<_> = links.iter().map(movable).collect();
         let colours = colour(&movable, particles.rows().len());
-        Self::sorted(&links, &colours)
+        Self::sorted(&links, &colours, carried as usize)
     }
 
     /// Counting sort by colour; stable, so that slots stay in order.
-    fn sorted(links: &[Link], colours: &[u8]) -> Self {
+    fn sorted(links: &[Link], colours: &[u8], carried: usize) -> Self {
         let mut ends = vec![0_u32; usize::from(OVERFLOW) + 1];
         for &colour in colours {
             ends[usize::from(colour)] += 1;
@@ -47,19 +55,25 @@ impl Plan {
             sum += *end;
             *end = sum;
         }
-        let empty = Link { ends: [0; 2], gains: [0; 2], rest_length: 0, form: DistanceForm::Exact };
+        let form = DistanceForm::Exact;
+        let empty = Link { ends: [0; 2], gains: [0; 2], rest_length: 0, carry: 0, form };
         let mut sorted = vec![empty; links.len()];
         for (link, &colour) in links.iter().zip(colours) {
             let place = &mut next[usize::from(colour)];
             sorted[*place as usize] = *link;
             *place += 1;
         }
-        Self { links: sorted, ends }
+        Self { links: sorted, ends, carried }
     }
 
     /// All links, colour by colour.
     pub(crate) fn links(&self) -> &[Link] {
         &self.links
+    }
+
+    /// How many carries the state must hold.
+    pub(crate) fn carried(&self) -> usize {
+        self.carried
     }
 
     /// The colours in order: where their links are, and whether no two share a movable end.
@@ -74,7 +88,7 @@ impl Plan {
 }
 
 /// The working copy of one constraint, or `None` if it cannot move anything.
-fn link(distance: &Distance, particles: &Table<Particle>) -> Option<Link> {
+fn link(distance: &Distance, carry: u32, particles: &Table<Particle>) -> Option<Link> {
     let Distance { a, b, rest_length, stiffness, form, enabled, user: _ } = *distance;
     let (particle_a, particle_b) = (particles.get(a.0)?, particles.get(b.0)?);
     if !(enabled && particle_a.enabled && particle_b.enabled) {
@@ -83,7 +97,7 @@ fn link(distance: &Distance, particles: &Table<Particle>) -> Option<Link> {
     let gains = gains([particle_a, particle_b], i64::from(stiffness.raw()));
     let moves = gains.iter().any(|&gain| gain > 0);
     let ends = [a.0.index, b.0.index];
-    moves.then_some(Link { ends, gains, rest_length: rest_length.raw(), form })
+    moves.then_some(Link { ends, gains, rest_length: rest_length.raw(), carry, form })
 }
 
 /// What each end takes of an error: `stiffness w_i / W`, where `w_a / W = m_b / (m_a + m_b)`.

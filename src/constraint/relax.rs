@@ -1,6 +1,7 @@
 //! Relaxation: projecting every distance constraint once, colour by colour.
 
 use super::correction::{Carry, Correction, Link};
+use super::distance::DistanceForm;
 use super::plan::Plan;
 
 #[cfg(feature = "parallel")]
@@ -14,8 +15,7 @@ use rayon::prelude::*;
 const PARALLEL_MIN: usize = 1024;
 
 impl Plan {
-    /// One relaxation of the positions; `start` are the positions at the start of the substep,
-    /// `carries` belong to the links.
+    /// One relaxation of the positions; `start` are the positions at the start of the substep.
     pub(crate) fn relax(
         &self,
         start: &[[i64; 3]],
@@ -23,8 +23,7 @@ impl Plan {
         carries: &mut [Carry],
     ) {
         for (range, independent) in self.colours() {
-            let links = &self.links()[range.clone()];
-            relax_colour(links, independent, start, position, &mut carries[range]);
+            relax_colour(&self.links()[range], independent, start, position, carries);
         }
     }
 }
@@ -53,12 +52,14 @@ fn relax_colour(
     if !independent || links.len() < PARALLEL_MIN {
         return relax_serially(links, start, position, carries);
     }
-    let before: &[[i64; 3]] = position;
-    let all = links.par_iter().zip(carries).with_min_len(256);
-    let corrections: Vec<Correction> =
-        all.map(|(link, carry)| correction(link, start, before, carry)).collect();
+    let (before, carried): (&[_], &[_]) = (position, carries);
+    let corrections: Vec<_> = links
+        .par_iter()
+        .with_min_len(256)
+        .map(|link| correction(link, start, before, carried))
+        .collect();
     for (link, correction) in links.iter().zip(corrections) {
-        apply(link, correction, position);
+        apply(link, correction, position, carries);
     }
 }
 
@@ -68,8 +69,8 @@ fn relax_serially(
     position: &mut [[i64; 3]],
     carries: &mut [Carry],
 ) {
-    for (link, carry) in links.iter().zip(carries) {
-        apply(link, correction(link, start, position, carry), position);
+    for link in links {
+        apply(link, correction(link, start, position, carries), position, carries);
     }
 }
 
@@ -78,18 +79,30 @@ fn correction(
     link: &Link,
     start: &[[i64; 3]],
     position: &[[i64; 3]],
-    carry: &mut Carry,
-) -> Correction {
+    carries: &[Carry],
+) -> (Correction, Carry) {
     let [a, b] = link.ends.map(|end| end as usize);
-    link.correct([start[a], start[b]], [position[a], position[b]], carry)
+    let mut carry = match link.form {
+        DistanceForm::Exact => Carry::default(),
+        DistanceForm::StartOfStep => carries[link.carry as usize],
+    };
+    (link.correct([start[a], start[b]], [position[a], position[b]], &mut carry), carry)
 }
 
 #[inline]
-fn apply(link: &Link, correction: Correction, position: &mut [[i64; 3]]) {
+fn apply(
+    link: &Link,
+    (correction, carry): (Correction, Carry),
+    position: &mut [[i64; 3]],
+    carries: &mut [Carry],
+) {
     for (end, move_by) in link.ends.into_iter().zip(correction) {
         let position = &mut position[end as usize];
         for (x, dx) in position.iter_mut().zip(move_by) {
             *x += dx; // below 2^60.8, see DISTANCES_MAX
         }
+    }
+    if link.form == DistanceForm::StartOfStep {
+        carries[link.carry as usize] = carry;
     }
 }

@@ -155,6 +155,15 @@ pub(crate) const fn to_i32(v: i64) -> i32 {
     low
 }
 
+/// A value that the caller has proved to fit 16 bits; checked in debug builds.
+#[inline]
+#[must_use]
+pub(crate) const fn to_i16(v: i64) -> i16 {
+    let low = v as i16;
+    debug_assert!(low as i64 == v, "to_i16: more than 16 bits");
+    low
+}
+
 /// The value in 64 bits, if it fits.
 #[inline]
 pub(super) const fn narrow(v: i128) -> Option<i64> {

@@ -136,6 +136,7 @@ impl<'a> Snapshot<'a> {
                 displacement: self.rows(Section::Displacement)?,
             },
             distances: self.table(Section::DistanceSlot, Section::Distance)?,
+            carries: self.rows(Section::Carry)?,
             half_spaces: self.table(Section::HalfSpaceSlot, Section::HalfSpace)?,
         };
         let good = |section, result: Result<(), RangeError>| {
@@ -145,6 +146,7 @@ impl<'a> Snapshot<'a> {
         good(Section::World, state.validate_world())?;
         good(Section::ParticleSlot, state.validate_particles())?;
         good(Section::Distance, state.validate_distances())?;
+        good(Section::Carry, state.validate_carries())?;
         good(Section::HalfSpace, state.validate_half_spaces())?;
         Ok(state)
     }

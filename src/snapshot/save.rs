@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::codec::{encode_numbers, encode_record, encode_rows};
 use super::{ContainerKind, ContainerWriter, Hash, Section};
-use crate::constraint::{Distance, HalfSpace};
+use crate::constraint::{Carry, Distance, HalfSpace};
 use crate::math::Pcg;
 use crate::particle::{Particle, ParticleSet};
 use crate::store::Column;
@@ -33,6 +33,7 @@ enum Rows<'a> {
     Displacements(&'a [[i32; 3]]),
     Particles(&'a Column<Particle>),
     Distances(&'a Column<Distance>),
+    Carries(&'a [Carry]),
     HalfSpaces(&'a Column<HalfSpace>),
 }
 
@@ -45,6 +46,7 @@ impl Rows<'_> {
             Self::Displacements(rows) => rows.len(),
             Self::Particles(rows) => rows.len(),
             Self::Distances(rows) => rows.len(),
+            Self::Carries(rows) => rows.len(),
             Self::HalfSpaces(rows) => rows.len(),
         }
     }
@@ -61,6 +63,7 @@ impl Rows<'_> {
             Self::Displacements(rows) => encode_numbers(rows),
             Self::Particles(rows) => Cow::Owned(encode_rows(rows)),
             Self::Distances(rows) => Cow::Owned(encode_rows(rows)),
+            Self::Carries(rows) => encode_numbers(rows),
             Self::HalfSpaces(rows) => Cow::Owned(encode_rows(rows)),
         }
     }
@@ -69,7 +72,9 @@ impl Rows<'_> {
     fn hash(&self) -> Hash {
         let fresh = || Hash::of(&self.bytes()).0;
         Hash(match self {
-            Self::World(_) | Self::Positions(_) | Self::Displacements(_) => fresh(),
+            Self::World(_) | Self::Positions(_) | Self::Displacements(_) | Self::Carries(_) => {
+                fresh()
+            }
             Self::Slots(column) => column.hash_or(fresh),
             Self::Particles(column) => column.hash_or(fresh),
             Self::Distances(column) => column.hash_or(fresh),
@@ -79,8 +84,8 @@ impl Rows<'_> {
 }
 
 /// Every section of a state. Destructures all of it, so that no field can be forgotten.
-fn sections(state: &State) -> [(Section, Rows<'_>); 9] {
-    let State { tick, phase, config, random, particles, distances, half_spaces } = state;
+fn sections(state: &State) -> [(Section, Rows<'_>); 10] {
+    let State { tick, phase, config, random, particles, distances, carries, half_spaces } = state;
     let ParticleSet { table, position, displacement } = particles;
     let world = WorldRecord { tick: *tick, phase: *phase, config: *config, random: *random };
     [
@@ -93,6 +98,7 @@ fn sections(state: &State) -> [(Section, Rows<'_>); 9] {
         (Section::Distance, Rows::Distances(distances.rows())),
         (Section::HalfSpaceSlot, Rows::Slots(half_spaces.slots().generations())),
         (Section::HalfSpace, Rows::HalfSpaces(half_spaces.rows())),
+        (Section::Carry, Rows::Carries(carries)),
     ]
 }
 
@@ -116,7 +122,7 @@ impl World {
 
     /// The hash of every section, to tell which part of two worlds differs.
     #[must_use]
-    pub fn part_hashes(&self) -> [(Section, Hash); 9] {
+    pub fn part_hashes(&self) -> [(Section, Hash); 10] {
         sections(&self.state).map(|(section, rows)| (section, rows.hash()))
     }
 

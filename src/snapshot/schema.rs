@@ -27,6 +27,8 @@ pub enum Section {
     HalfSpaceSlot = 8,
     /// Half-spaces, one a slot.
     HalfSpace = 9,
+    /// What rounding left over of the corrections of start-of-step distances, one each or none.
+    Carry = 10,
 }
 
 /// One number of a record.
@@ -52,6 +54,8 @@ pub enum FieldKind {
     Real,
     /// Four bytes, 24 of the bits a fraction.
     Displacement,
+    /// Two bytes, 15 of the bits a fraction of the raw unit of a position.
+    Carry,
     /// Four bytes, 30 of the bits a fraction.
     Unit,
     /// Four bytes, 16 of the bits a fraction.
@@ -82,7 +86,7 @@ macro_rules! fields {
 
 impl Section {
     /// All sections in the order of the file.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::World,
         Self::ParticleSlot,
         Self::Position,
@@ -92,6 +96,7 @@ impl Section {
         Self::Distance,
         Self::HalfSpaceSlot,
         Self::HalfSpace,
+        Self::Carry,
     ];
 
     /// The section's name in messages.
@@ -105,6 +110,7 @@ impl Section {
             Self::Particle => "particle",
             Self::DistanceSlot => "distance-slot",
             Self::Distance => "distance",
+            Self::Carry => "carry",
             Self::HalfSpaceSlot => "half-space-slot",
             Self::HalfSpace => "half-space",
         }
@@ -138,6 +144,9 @@ impl Section {
                 "rest_length": Real, "stiffness": Unit,
                 "form": Variant(&["exact", "start-of-step"]), "enabled": Bool, "user": U64,
             },
+            Self::Carry => fields! {
+                "a.x": Carry, "a.y": Carry, "a.z": Carry, "b.x": Carry, "b.y": Carry, "b.z": Carry,
+            },
             Self::HalfSpace => fields! {
                 "point.x": Real, "point.y": Real, "point.z": Real,
                 "normal.x": Unit, "normal.y": Unit, "normal.z": Unit,
@@ -165,6 +174,7 @@ impl FieldKind {
     pub const fn width(self) -> u32 {
         match self {
             Self::Bool => 1,
+            Self::Carry => 2,
             Self::U32 | Self::Displacement | Self::Unit | Self::Factor | Self::Variant(_) => 4,
             Self::U64 | Self::Real => 8,
         }
@@ -190,6 +200,7 @@ impl fmt::Display for Value {
             FieldKind::Displacement => Real::from_raw(i64::from(narrow)).fmt(f),
             FieldKind::Unit => Unit::from_raw(narrow).fmt(f),
             FieldKind::Factor => Factor::from_raw(narrow).fmt(f),
+            FieldKind::Carry => write!(f, "{}/32768 ulp", narrow << 16 >> 16),
             FieldKind::Variant(names) => {
                 let name = usize::try_from(self.raw).ok().and_then(|index| names.get(index));
                 f.write_str(name.unwrap_or(&"?"))

@@ -126,7 +126,7 @@ impl World {
         let stale = Refusal::Stale { field: "object" };
         let removed = match object {
             ObjectId::Particle(id) => self.state.particles.remove(id),
-            ObjectId::Distance(id) => self.state.distances.remove(id.0).is_some(),
+            ObjectId::Distance(id) => self.state.remove_distance(id),
             ObjectId::HalfSpace(id) => self.state.half_spaces.remove(id.0).is_some(),
         };
         if !removed {
@@ -151,7 +151,7 @@ impl World {
             .map(|(id, _)| id)
             .collect();
         for id in orphans {
-            self.state.distances.remove(id.0);
+            self.state.remove_distance(id);
             self.report(EventKind::Removed { object: ObjectId::Distance(id) });
         }
     }

@@ -1,8 +1,10 @@
 //! All that is saved and hashed.
 
+use alloc::vec::Vec;
+
 use super::{Refusal, WorldConfig};
 use crate::constraint::{
-    DISTANCES_MAX, Distance, DistanceId, HALF_SPACES_MAX, HalfSpace, HalfSpaceId,
+    CARRY_MAX, Carry, DISTANCES_MAX, Distance, DistanceId, HALF_SPACES_MAX, HalfSpace, HalfSpaceId,
 };
 use crate::math::Pcg;
 use crate::particle::{PARTICLES_MAX, ParticleId, ParticleSet, ParticleSpec, RangeError, check};
@@ -18,6 +20,8 @@ pub(crate) struct State {
     pub(crate) random: Pcg,
     pub(crate) particles: ParticleSet,
     pub(crate) distances: Table<Distance>,
+    /// One for each distance that is carried, in slot order; none after their list changed.
+    pub(crate) carries: Vec<Carry>,
     pub(crate) half_spaces: Table<HalfSpace>,
 }
 
@@ -36,6 +40,7 @@ impl State {
             random: Pcg::new(0, RANDOM_STREAM),
             particles: ParticleSet::default(),
             distances: Table::default(),
+            carries: Vec::new(),
             half_spaces: Table::default(),
         }
     }
@@ -64,7 +69,22 @@ impl State {
         if !self.distances.slots().has_room(DISTANCES_MAX) {
             return Err(Refusal::Full);
         }
+        self.carries.clear();
         Ok(DistanceId(self.distances.insert(*distance)))
+    }
+
+    /// Removes a distance; `false` if the id is stale.
+    pub(super) fn remove_distance(&mut self, id: DistanceId) -> bool {
+        let removed = self.distances.remove(id.0).is_some();
+        if removed {
+            self.carries.clear();
+        }
+        removed
+    }
+
+    /// The number of distances that are carried. O(distances).
+    fn carried(&self) -> usize {
+        self.distances.iter().filter(|(_, distance)| distance.is_carried()).count()
     }
 
     pub(super) fn spawn_half_space(&mut self, shape: &HalfSpace) -> Result<HalfSpaceId, Refusal> {
@@ -116,6 +136,14 @@ impl State {
         })
     }
 
+    /// Checks what rounding left over: all of it, or nothing.
+    pub(crate) fn validate_carries(&self) -> Result<(), RangeError> {
+        let complete = self.carries.is_empty() || self.carries.len() == self.carried();
+        check(complete, "carry count")?;
+        let small = |c: &i16| c.unsigned_abs() <= CARRY_MAX.unsigned_abs();
+        check(self.carries.iter().flatten().flatten().all(small), "carry")
+    }
+
     /// Checks the half-spaces.
     pub(crate) fn validate_half_spaces(&self) -> Result<(), RangeError> {
         check(self.half_spaces.rows().len() <= HALF_SPACES_MAX, "half-space count")?;
@@ -125,7 +153,7 @@ impl State {
 
 impl Clone for State {
     fn clone(&self) -> Self {
-        let Self { tick, phase, config, random, particles, distances, half_spaces } = self;
+        let Self { tick, phase, config, random, particles, distances, carries, half_spaces } = self;
         Self {
             tick: *tick,
             phase: *phase,
@@ -133,18 +161,21 @@ impl Clone for State {
             random: *random,
             particles: particles.clone(),
             distances: distances.clone(),
+            carries: carries.clone(),
             half_spaces: half_spaces.clone(),
         }
     }
 
     fn clone_from(&mut self, source: &Self) {
-        let Self { tick, phase, config, random, particles, distances, half_spaces } = source;
+        let Self { tick, phase, config, random, particles, distances, carries, half_spaces } =
+            source;
         self.tick = *tick;
         self.phase = *phase;
         self.config = *config;
         self.random = *random;
         self.particles.clone_from(particles);
         self.distances.clone_from(distances);
+        self.carries.clone_from(carries);
         self.half_spaces.clone_from(half_spaces);
     }
 }

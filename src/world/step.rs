@@ -29,8 +29,6 @@ pub(super) struct Work {
     /// Positions at the start of the substep.
     start: Vec<[i64; 3]>,
     touches: Vec<Touch>,
-    /// What rounding left over of each link's last correction.
-    carries: Vec<Carry>,
 }
 
 /// What is derived from the objects. Shared by clones; unable to change a result.
@@ -84,18 +82,18 @@ impl World {
 
     /// Rebuilds what is derived from the objects, if they changed.
     fn refresh_caches(&mut self) {
-        let State { particles, distances, .. } = &mut self.state;
+        let State { particles, distances, carries, .. } = &mut self.state;
         // Both marks must be taken: no short circuit.
         if particles.table.take_changed() | distances.take_changed() {
             self.caches = Arc::new(Caches::new(&particles.table, distances));
         }
+        // Removed when the list of distances changed, otherwise as many as there are.
+        carries.resize(self.caches.plan.carried(), Carry::default());
     }
 
     /// Collects what acts in all substeps of this tick.
     fn gather(&mut self) {
-        let Self { state, work, caches, .. } = self;
-        work.carries.clear();
-        work.carries.resize(caches.plan.links().len(), Carry::default());
+        let Self { state, work, .. } = self;
         let row = |id: &ParticleId| state.particles.particle(*id);
         let pinned = |id: &ParticleId| row(id).is_some_and(|row| row.pinned && row.enabled);
         let pins = work.pins.iter().filter(|(id, _)| pinned(id));
@@ -139,7 +137,7 @@ impl World {
         let position = &mut state.particles.position;
         let moves = |slot: usize| caches.drive[slot] != Drive::Still;
         for _ in 0..state.config.iterations {
-            caches.plan.relax(&work.start, position, &mut work.carries);
+            caches.plan.relax(&work.start, position, &mut state.carries);
             collide(&work.surfaces, moves, &work.start, position, &mut work.touches);
         }
     }

@@ -80,9 +80,10 @@ fn every_field_moves_the_hash() {
             still.remove(&(spot.section, spot.field.name));
         }
     }
-    // Another generation than that of the end's particle is not valid; bytes are hashed all alike.
-    let ends = ["a.generation", "b.generation"].map(|name| (Section::Distance, name));
-    assert_eq!(still, BTreeSet::from(ends), "fields without another valid value");
+    // No other generation than that of the end's particle is valid, and no other form with the same
+    // carries; bytes are hashed all alike.
+    let bound = ["a.generation", "b.generation", "form"].map(|name| (Section::Distance, name));
+    assert_eq!(still, BTreeSet::from(bound), "fields without another valid value");
 }
 
 /// The sections whose hashes differ.
@@ -103,7 +104,13 @@ fn part_hashes_name_the_part() {
         (user(ObjectId::HalfSpace(half_space(1))), &[Section::HalfSpace]),
         (
             Action::Remove { object: ObjectId::Distance(distance(0)) },
-            &[Section::Position, Section::Displacement, Section::DistanceSlot, Section::Distance],
+            &[
+                Section::Position,
+                Section::Displacement,
+                Section::DistanceSlot,
+                Section::Distance,
+                Section::Carry,
+            ],
         ),
         (
             Action::SetVelocity { particle: particle(4), velocity },

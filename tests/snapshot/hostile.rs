@@ -64,6 +64,7 @@ fn explains(reason: DecodeReason, spot: &Spot, is_alive: bool) -> bool {
                     | ("substeps", "phase")
                     | ("displacement_max", "displacement")
                     | ("a.index" | "a.generation", "b")
+                    | ("form", "carry count")
                     | ("generation", "a" | "b" | "position of a free slot")
             );
             own || other || !is_alive && range.field == "position of a free slot"
@@ -118,8 +119,8 @@ fn any_other_list_of_sections_is_refused() {
         assert_eq!(is_refused(&swapped.file()), DecodeReason::Layout);
     }
     let mut more = sound.clone();
-    more.parts.push(sound.parts[8].clone());
-    more.parts[9].kind = 10;
+    more.parts.push(sound.parts[9].clone());
+    more.parts[10].kind = 11;
     assert_eq!(is_refused(&more.file()), DecodeReason::Layout);
 }
 
@@ -132,7 +133,10 @@ fn any_other_number_of_records_is_refused() {
         let mut fewer = sound.clone();
         let bytes = fewer.section(section as u32);
         bytes.truncate(bytes.len() - size);
-        is_refused(&fewer.file());
+        // No carries at all are the ones of a list of distances that has changed.
+        if section != Section::Carry || !bytes.is_empty() {
+            is_refused(&fewer.file());
+        }
         let mut more = sound.clone();
         let bytes = more.section(section as u32);
         bytes.extend_from_within(..size);

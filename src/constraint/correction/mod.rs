@@ -17,8 +17,8 @@
 //!
 //! Rounding moves a particle sideways, and the speed it so gains or loses would wander like the
 //! square root of time. The start-of-step form, which otherwise keeps energy, therefore carries
-//! what rounding left over to the next correction of the same tick (the bound above is then 1
-//! instead of 1/2, over the tick still 1/2): at 4 substeps a pendulum's energy wanders half as far.
+//! what rounding left over to its next correction (the bound above is then 1 instead of 1/2 for one
+//! projection, and still 1/2 for any number of them together): a pendulum keeps its height.
 //!
 //! A correction is never longer than 64 m (exact: `clamp`) or 0.23 * 1.42 * 1,024 m < 2^32.4 ulp
 //! (start of step: its guard). Particles that coincide have no direction and are left alone.
@@ -30,7 +30,7 @@ use super::distance::DistanceForm;
 use crate::math::root::{root_nearest, root_nearest_wide};
 use crate::math::wide::{
     NARROW_MAX, dot_narrow, dot_wide, is_narrow, round_div, round_div_wide, round_shift,
-    round_shift_wide, sub, to_i32, to_i64,
+    round_shift_wide, sub, to_i16, to_i64,
 };
 use crate::particle::DISPLACEMENT_LIMIT;
 
@@ -46,15 +46,23 @@ pub(crate) struct Link {
     pub(crate) gains: [i32; 2],
     /// At most 2^34 raw.
     pub(crate) rest_length: i64,
+    /// Where the carry of a start-of-step link is kept.
+    pub(crate) carry: u32,
     pub(crate) form: DistanceForm,
 }
 
 /// What is added to each end.
 pub(crate) type Correction = [[i64; 3]; 2];
 
-/// What rounding left over of the last correction of each end: ulp with 30 fractional bits, at
-/// most half an ulp. All zero at the start of a tick, so that it need not be saved.
-pub(crate) type Carry = [[i32; 3]; 2];
+/// What rounding left over of the last start-of-step correction of each end: ulp with 15 fractional
+/// bits, at most half an ulp.
+pub(crate) type Carry = [[i16; 3]; 2];
+
+/// Fractional bits of a carry.
+const CARRY_BITS: u32 = 15;
+
+/// Half an ulp: the greatest carry.
+pub(crate) const CARRY_MAX: i16 = 1 << (CARRY_BITS - 1);
 
 impl Link {
     /// The correction for the ends' positions `now` and at the `start` of the substep.
@@ -82,7 +90,7 @@ impl Link {
     fn at_ends(
         &self,
         carry: &mut Carry,
-        scaled: impl Fn(i64, &mut [i32; 3]) -> [i64; 3],
+        scaled: impl Fn(i64, &mut [i16; 3]) -> [i64; 3],
     ) -> Correction {
         let [gain_a, gain_b] = self.gains.map(i64::from);
         let [carry_a, carry_b] = carry;
@@ -108,9 +116,9 @@ impl Link {
                     let numerator = i128::from(error) * i128::from(gain);
                     let g = to_i64(round_div_wide(numerator, 2 * i128::from(along)));
                     each(r, carry, |c, carry| {
-                        let exact = c * g + i64::from(*carry); // 30 + 28 bits and 29
+                        let exact = c * g + carried(*carry); // 30 + 28 bits and 29
                         let rounded = round_shift(exact, GAIN_BITS);
-                        *carry = to_i32(exact - (rounded << GAIN_BITS)); // within 2^29
+                        *carry = carry_of(exact - (rounded << GAIN_BITS));
                         rounded
                     })
                 });
@@ -145,9 +153,9 @@ impl Link {
                     // 67 + 30 bits over 71: |d| and |r| are below 1.42 rest lengths here.
                     let g = round_div_wide(error * i128::from(gain), 2 * along);
                     each(r, carry, |c, carry| {
-                        let exact = i128::from(c) * g + i128::from(*carry);
+                        let exact = i128::from(c) * g + i128::from(carried(*carry));
                         let rounded = round_shift_wide(exact, GAIN_BITS);
-                        *carry = to_i32(to_i64(exact - (rounded << GAIN_BITS)));
+                        *carry = carry_of(to_i64(exact - (rounded << GAIN_BITS)));
                         to_i64(rounded)
                     })
                 });
@@ -167,9 +175,21 @@ impl Link {
     }
 }
 
+/// What is carried, with the fractional bits of a product.
+#[inline]
+fn carried(carry: i16) -> i64 {
+    i64::from(carry) << (GAIN_BITS - CARRY_BITS)
+}
+
+/// What is left of a product, at most half an ulp, as it is carried.
+#[inline]
+fn carry_of(rest: i64) -> i16 {
+    to_i16(round_shift(rest, GAIN_BITS - CARRY_BITS))
+}
+
 /// A function of each component and of what is carried for it.
 #[inline]
-fn each(v: [i64; 3], carry: &mut [i32; 3], scale: impl Fn(i64, &mut i32) -> i64) -> [i64; 3] {
+fn each(v: [i64; 3], carry: &mut [i16; 3], scale: impl Fn(i64, &mut i16) -> i64) -> [i64; 3] {
     let [x, y, z] = carry;
     [scale(v[0], x), scale(v[1], y), scale(v[2], z)]
 }

@@ -62,8 +62,8 @@ fn both_widths_give_the_same_bits() {
         let gain_a = gain(random);
         let gains = [gain_a, if random.below(2) == 0 { gain_a } else { gain(random) }];
         let rest_length = rest_length(random, d, r);
-        let link = |form| Link { ends: [0, 1], gains, rest_length, form };
-        let mut half = || (random.next_u32() >> 2).cast_signed() - (1 << 29);
+        let link = |form| Link { ends: [0, 1], gains, rest_length, carry: 0, form };
+        let mut half = || to_i16(i64::from(random.next_u32() >> 17)) - CARRY_MAX;
         let carry = [(); 3].map(|()| half());
         // Equal gains have equal carries.
         let before = [carry, if gains[0] == gains[1] { carry } else { [half(), half(), 0] }];
@@ -84,7 +84,8 @@ fn both_widths_give_the_same_bits() {
 #[test]
 fn the_border_shows_in_no_result() {
     for form in [DistanceForm::Exact, DistanceForm::StartOfStep] {
-        let link = Link { ends: [0, 1], gains: [1 << 29; 2], rest_length: NARROW_MAX, form };
+        let link =
+            Link { ends: [0, 1], gains: [1 << 29; 2], rest_length: NARROW_MAX, carry: 0, form };
         let moved = [-4, 0, 4, 8].map(|beyond| {
             let b = [NARROW_MAX + beyond, 0, 0];
             let [a, b] = link.correct([[0; 3], b], [[0; 3], b], &mut Carry::default());
@@ -99,8 +100,13 @@ fn the_border_shows_in_no_result() {
 /// Ends that coincide have no direction.
 #[test]
 fn coincident_ends_stay() {
-    let link =
-        Link { ends: [0, 1], gains: [1 << 30; 2], rest_length: 1, form: DistanceForm::Exact };
+    let link = Link {
+        ends: [0, 1],
+        gains: [1 << 30; 2],
+        rest_length: 1,
+        carry: 0,
+        form: DistanceForm::Exact,
+    };
     for place in [[0; 3], [1 << 60, -(1 << 60), 7]] {
         assert_eq!(link.correct([place; 2], [place; 2], &mut Carry::default()), [[0; 3]; 2]);
     }
