@@ -20,8 +20,9 @@
 //!
 //! # Floors
 //!
-//! A module names only its own floor or lower ones: [`math`] and [`store`] (0), [`particle`] (3),
-//! [`constraint`] (4), [`world`] (7), [`snapshot`] (8), `scene` (9), [`replay`] (10).
+//! A module names only its own floor or lower ones: [`math`] and [`store`] (0), [`geometry`] (1),
+//! [`particle`] (3), [`constraint`] (4), [`world`] (7), [`snapshot`] (8), `scene` (9), [`replay`]
+//! (10).
 #![cfg_attr(not(feature = "std"), no_std)]
 
 extern crate alloc;
@@ -30,7 +31,9 @@ extern crate alloc;
 #[cfg(not(any(target_pointer_width = "32", target_pointer_width = "64")))]
 compile_error!("verlock needs pointers of at least 32 bits");
 
+pub mod body;
 pub mod constraint;
+pub mod geometry;
 pub mod math;
 pub mod particle;
 pub mod replay;

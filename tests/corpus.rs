@@ -74,6 +74,16 @@ fn scenes_keep_their_laws() {
 }
 
 #[test]
+fn meshes_keep_their_laws() {
+    keeps("obj_parse", laws::obj, [75, 18]);
+}
+
+#[test]
+fn relaxations_keep_their_laws() {
+    keeps("relax", laws::relax, [60, 25]);
+}
+
+#[test]
 fn commands_keep_their_laws() {
     keeps("commands", laws::commands, [55, 40]);
 }

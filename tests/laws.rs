@@ -73,6 +73,20 @@ proptest! {
         looks_alike(&blueprint, &Frame::turn(axis))?;
     }
 
+    /// However a world came to be at a tick, the next one is the same: what is kept besides the
+    /// state changes nothing.
+    #[test]
+    fn a_restored_world_moves_alike(blueprint in world()) {
+        let mut world = blueprint.build();
+        let mut restored = world.clone();
+        for tick in 0..30 {
+            restored.restore(&world.save()).expect("what was saved can be restored");
+            let commands = blueprint.commands(tick);
+            prop_assert_eq!(world.step(&commands), restored.step(&commands));
+            prop_assert_eq!(world.part_hashes(), restored.part_hashes(), "tick {}", tick);
+        }
+    }
+
     #[test]
     fn the_order_of_commands_in_the_slice_does_not_matter(
         blueprint in world(),

@@ -14,16 +14,22 @@
 
 mod support;
 
+/// Bodies of meshes: cloth, ropes and plants.
+mod cloth;
 /// What each command does and what it is refused for.
 mod commands;
 /// What the fuzzers start from, without a fuzzer.
 mod corpus;
+/// What a renderer is told.
+mod draw;
 /// Every fixture scene as it was accepted; saved, moved and threaded meanwhile.
 mod golden;
 /// Laws for random and for hostile worlds.
 mod laws;
 /// Numbers against big-integer oracles.
 mod math;
+/// Triangle meshes: their limits, what touches in them, OBJ files that are read or refused.
+mod mesh;
 /// Free motion against the textbook, and the limits of a world.
 mod motion;
 /// Constraints and contacts against the textbook and a naive twin.
@@ -34,5 +40,7 @@ mod replay;
 mod scene;
 /// Worlds as bytes: identity, damage, hostile contents, hashes, differences.
 mod snapshot;
+/// What is soft: springs, ropes, what tears, volumes, cloth in the wind.
+mod soft;
 /// The shape of the tree: floors, lengths, papers that tell the truth.
 mod tidy;

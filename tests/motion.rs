@@ -24,6 +24,7 @@ const WEIGHTLESS: WorldConfig = WorldConfig {
     gravity: Vec3::ZERO,
     damping: Real::ZERO,
     displacement_max: WorldConfig::DISPLACEMENT_MAX,
+    wind: Vec3::ZERO,
 };
 
 /// A world of one particle.

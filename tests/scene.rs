@@ -280,6 +280,22 @@ fn objects_are_made_in_the_order_of_the_documentation() {
 }
 
 #[test]
+fn corners_are_numbers() {
+    let world = built(
+        "particles: [(), (position: (1, 0, 0)), (position: (0, 1, 0)), (position: (0, 0, 0.006))],
+        volumes: [(corners: (0, 1, 2, 3))],
+        faces: [(corners: (3, 1, 2), drag: 0.5)]",
+    );
+    let (_, volume) = world.volumes().next().expect("a volume");
+    assert_eq!(volume.corners.map(|id| id.0.index), [0, 1, 2, 3]);
+    let litre = volume.rest_volume.raw().abs_diff(Real::ONE.raw());
+    assert!(litre < 200, "{}", volume.rest_volume);
+    let (_, face) = world.faces().next().expect("a face");
+    assert_eq!(face.corners.map(|id| id.0.index), [3, 1, 2]);
+    assert_eq!(face.drag, Factor::parse("0.5").expect("a decimal"));
+}
+
+#[test]
 fn commands_are_a_function_of_scene_and_world() {
     let scene = scene(STORM);
     let mut world = scene.build().expect("a fixture");

@@ -1,7 +1,8 @@
 //! Relaxation: projecting every distance constraint once, colour by colour.
 
-use super::correction::{Carry, Correction, Link};
-use super::distance::DistanceForm;
+use super::DistanceForm;
+use super::correction::{Carry, Correction, Memory};
+use super::link::Link;
 use super::plan::Plan;
 
 #[cfg(feature = "parallel")]
@@ -14,16 +15,48 @@ use rayon::prelude::*;
 #[cfg(feature = "parallel")]
 const PARALLEL_MIN: usize = 1024;
 
+/// What links remember from one correction to the next, each kind in the order of the slots.
+#[derive(Debug)]
+pub(crate) struct Memories<'a> {
+    /// Of start-of-step links; state.
+    pub(crate) carries: &'a mut [Carry],
+    /// The lengths that compliant links have taken in this substep.
+    pub(crate) taken: &'a mut [i64],
+}
+
+impl Memories<'_> {
+    #[inline]
+    fn get(&self, link: &Link) -> Memory {
+        let place = link.memory as usize;
+        match link.form {
+            DistanceForm::StartOfStep => Memory { carry: self.carries[place], taken: 0 },
+            _ if link.give > 0 => Memory { taken: self.taken[place], ..Memory::default() },
+            _ => Memory::default(),
+        }
+    }
+
+    #[inline]
+    fn set(&mut self, link: &Link, Memory { carry, taken }: Memory) {
+        let place = link.memory as usize;
+        if link.form == DistanceForm::StartOfStep {
+            self.carries[place] = carry;
+        } else if link.give > 0 {
+            self.taken[place] = taken;
+        }
+    }
+}
+
 impl Plan {
-    /// One relaxation of the positions; `start` are the positions at the start of the substep.
+    /// One relaxation of the links that are relaxed one at a time; `start` are the positions at the
+    /// start of the substep.
     pub(crate) fn relax(
         &self,
         start: &[[i64; 3]],
         position: &mut [[i64; 3]],
-        carries: &mut [Carry],
+        mut memories: Memories<'_>,
     ) {
         for (range, independent) in self.colours() {
-            relax_colour(&self.links()[range], independent, start, position, carries);
+            relax_colour(&self.links()[range], independent, start, position, &mut memories);
         }
     }
 }
@@ -34,9 +67,9 @@ fn relax_colour(
     _: bool,
     start: &[[i64; 3]],
     position: &mut [[i64; 3]],
-    carries: &mut [Carry],
+    memories: &mut Memories<'_>,
 ) {
-    relax_serially(links, start, position, carries);
+    relax_serially(links, start, position, memories);
 }
 
 /// The corrections of one colour do not depend on one another, so they are computed by any number
@@ -47,19 +80,16 @@ fn relax_colour(
     independent: bool,
     start: &[[i64; 3]],
     position: &mut [[i64; 3]],
-    carries: &mut [Carry],
+    memories: &mut Memories<'_>,
 ) {
     if !independent || links.len() < PARALLEL_MIN {
-        return relax_serially(links, start, position, carries);
+        return relax_serially(links, start, position, memories);
     }
-    let (before, carried): (&[_], &[_]) = (position, carries);
-    let corrections: Vec<_> = links
-        .par_iter()
-        .with_min_len(256)
-        .map(|link| correction(link, start, before, carried))
-        .collect();
+    let (before, remembered): (&[_], &_) = (position, &*memories);
+    let all = links.par_iter().with_min_len(256);
+    let corrections: Vec<_> = all.map(|link| correction(link, start, before, remembered)).collect();
     for (link, correction) in links.iter().zip(corrections) {
-        apply(link, correction, position, carries);
+        apply(link, correction, position, memories);
     }
 }
 
@@ -67,10 +97,10 @@ fn relax_serially(
     links: &[Link],
     start: &[[i64; 3]],
     position: &mut [[i64; 3]],
-    carries: &mut [Carry],
+    memories: &mut Memories<'_>,
 ) {
     for link in links {
-        apply(link, correction(link, start, position, carries), position, carries);
+        apply(link, correction(link, start, position, memories), position, memories);
     }
 }
 
@@ -79,22 +109,19 @@ fn correction(
     link: &Link,
     start: &[[i64; 3]],
     position: &[[i64; 3]],
-    carries: &[Carry],
-) -> (Correction, Carry) {
+    memories: &Memories<'_>,
+) -> (Correction, Memory) {
     let [a, b] = link.ends.map(|end| end as usize);
-    let mut carry = match link.form {
-        DistanceForm::Exact => Carry::default(),
-        DistanceForm::StartOfStep => carries[link.carry as usize],
-    };
-    (link.correct([start[a], start[b]], [position[a], position[b]], &mut carry), carry)
+    let mut memory = memories.get(link);
+    (link.correct([start[a], start[b]], [position[a], position[b]], &mut memory), memory)
 }
 
 #[inline]
 fn apply(
     link: &Link,
-    (correction, carry): (Correction, Carry),
+    (correction, memory): (Correction, Memory),
     position: &mut [[i64; 3]],
-    carries: &mut [Carry],
+    memories: &mut Memories<'_>,
 ) {
     for (end, move_by) in link.ends.into_iter().zip(correction) {
         let position = &mut position[end as usize];
@@ -102,7 +129,5 @@ fn apply(
             *x += dx; // below 2^60.8, see DISTANCES_MAX
         }
     }
-    if link.form == DistanceForm::StartOfStep {
-        carries[link.carry as usize] = carry;
-    }
+    memories.set(link, memory);
 }

@@ -90,7 +90,24 @@ impl Real {
     ///
     /// [`DecimalError`] says which byte is wrong, or that the value does not fit.
     pub const fn parse(text: &str) -> Result<Self, DecimalError> {
-        match decimal::parse(text.as_bytes(), Self::FRACTION_BITS) {
+        Self::read(decimal::parse(text.as_bytes(), Self::FRACTION_BITS))
+    }
+
+    /// The value nearest to a decimal as other programs print it: `1.5`, `-.5`, `2.`, `1e-3`.
+    ///
+    /// The grammar is `[+-](digits[.[digits]] | .digits)[(e|E)[+-]digits]`, with any number of
+    /// digits in each place, and no `_`.
+    ///
+    /// # Errors
+    ///
+    /// [`DecimalError`] says which byte is wrong, or that the value does not fit.
+    pub const fn parse_scientific(text: &str) -> Result<Self, DecimalError> {
+        Self::read(decimal::parse_scientific(text.as_bytes(), Self::FRACTION_BITS))
+    }
+
+    /// What a decimal is, if it fits.
+    const fn read(raw: Result<i128, DecimalError>) -> Result<Self, DecimalError> {
+        match raw {
             Ok(raw) => match narrow(raw) {
                 Some(raw) => Ok(Self::from_raw(raw)),
                 None => Err(DecimalError::OutOfRange),

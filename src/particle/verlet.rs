@@ -76,6 +76,12 @@ impl Pace {
         Self { per_second }
     }
 
+    /// Substeps a second.
+    #[must_use]
+    pub(crate) const fn per_second(self) -> u32 {
+        self.per_second
+    }
+
     /// `D`: phases repeat after so many substeps.
     #[must_use]
     pub(crate) const fn phases(self) -> u64 {

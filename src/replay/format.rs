@@ -1,6 +1,7 @@
 //! A replay as bytes.
 
 use alloc::vec::Vec;
+use core::iter;
 
 use serde::{Deserialize, Serialize};
 
@@ -237,10 +238,47 @@ impl<'a> Replay<'a> {
         self.inputs::<S>(index, from)
     }
 
+    /// The inputs of every tick, in order. Each costs O(its bytes).
+    pub fn inputs_by_tick<S: Simulation>(
+        &self,
+    ) -> impl Iterator<Item = Result<Vec<S::Input>, DecodeError>> + '_ {
+        let mut from = 0;
+        (0..self.len()).map(move |index| {
+            let inputs = self.inputs::<S>(index, from);
+            from += self.tick(index).length as usize;
+            inputs
+        })
+    }
+
     /// The bytes of the saved start.
     #[must_use]
     pub fn start_bytes(&self) -> &'a [u8] {
         self.start
+    }
+
+    /// The ticks whose states are stored: the first one, and those of the keyframes.
+    pub fn stored_ticks(&self) -> impl Iterator<Item = u64> + '_ {
+        iter::once(self.first_tick()).chain(self.keyframe_ticks())
+    }
+
+    /// The bytes of the stored state of a tick, as they were when it was recorded; `None` if it
+    /// has to be stepped to. O(log keyframes).
+    #[must_use]
+    pub fn stored_bytes(&self, tick: u64) -> Option<&'a [u8]> {
+        if tick == self.first_tick() {
+            return Some(self.start);
+        }
+        self.keyframe(tick).map(|saved| saved.bytes)
+    }
+
+    /// Every tick with the bytes of its inputs, in order. Each costs O(1).
+    pub(super) fn input_slices(&self) -> impl Iterator<Item = (u64, &'a [u8])> + use<'a, '_> {
+        let mut from = 0;
+        (0..self.len()).map(move |index| {
+            let bytes = self.input_bytes(index, from);
+            from += bytes.len();
+            (self.first_tick() + index, bytes)
+        })
     }
 
     /// The record of the `index`th tick, which must be recorded.
@@ -308,8 +346,12 @@ impl<'a> Replay<'a> {
 
     /// The keyframe of exactly this tick.
     pub(super) fn keyframe_at<S: Simulation>(&self, tick: u64) -> Result<Option<S>, DecodeError> {
-        let found = self.keyframes.binary_search_by_key(&tick, |saved| saved.tick).ok();
-        found.map(|index| self.load_keyframe(&self.keyframes[index])).transpose()
+        self.keyframe(tick).map(|saved| self.load_keyframe(saved)).transpose()
+    }
+
+    fn keyframe(&self, tick: u64) -> Option<&Saved<'a>> {
+        let found = self.keyframes.binary_search_by_key(&tick, |saved| saved.tick);
+        found.ok().map(|index| &self.keyframes[index])
     }
 
     fn load_keyframe<S: Simulation>(&self, saved: &Saved<'_>) -> Result<S, DecodeError> {

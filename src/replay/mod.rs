@@ -21,17 +21,26 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! When two machines have parted, [`bisect_replays`] finds the first tick in which they did, and
+//! [`Heavy`] the bug behind it if it is one of saving, hashing or caching.
+//!
 //! Anything that is a [`Simulation`] can be recorded: a [`World`](crate::world::World) alone, or a
 //! game that owns one and turns its own inputs into commands.
 
+mod bisect;
 mod error;
 mod format;
+mod hash_log;
+mod heavy;
 mod recorder;
 mod simulation;
 mod verify;
 
+pub use bisect::{Bisection, Cause, Parting, bisect, bisect_replays};
 pub use error::{Divergence, DivergenceKind, VerifyError};
 pub use format::Replay;
+pub use hash_log::{HashLog, HashLogError, HashLogReason};
+pub use heavy::{Heavy, HeavyError, Mismatch, Way};
 pub use recorder::Recorder;
 pub use simulation::Simulation;
 pub use verify::{seek, verify};

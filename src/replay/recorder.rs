@@ -1,5 +1,6 @@
 //! Recording while stepping.
 
+use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
 use super::Simulation;
@@ -8,7 +9,8 @@ use crate::snapshot::{ContainerWriter, Hash, encode_record};
 
 /// Steps a simulation and records what it was given and what came of it.
 ///
-/// The bytes depend on the simulation and its inputs alone: all peers record the same file.
+/// The bytes depend on the simulation, its inputs and the ticks of the keyframes alone: all peers
+/// record the same file.
 #[derive(Debug)]
 pub struct Recorder<S: Simulation> {
     simulation: S,
@@ -16,8 +18,8 @@ pub struct Recorder<S: Simulation> {
     start: Vec<u8>,
     ticks: Vec<u8>,
     inputs: Vec<u8>,
-    keyframes: Vec<u8>,
-    states: Vec<u8>,
+    /// The saved states by their ticks, none of them the first.
+    keyframes: BTreeMap<u64, Vec<u8>>,
 }
 
 impl<S: Simulation> Recorder<S> {
@@ -40,8 +42,7 @@ impl<S: Simulation> Recorder<S> {
             start,
             ticks: Vec::new(),
             inputs: Vec::new(),
-            keyframes: Vec::new(),
-            states: Vec::new(),
+            keyframes: BTreeMap::new(),
         }
     }
 
@@ -81,26 +82,52 @@ impl<S: Simulation> Recorder<S> {
         hash
     }
 
-    fn keyframe(&mut self) {
-        let before = self.states.len();
-        self.simulation.save_into(&mut self.states);
-        let length = (self.states.len() - before) as u64;
-        encode_record(&Keyframe { tick: self.simulation.tick(), length }, &mut self.keyframes);
+    /// Keeps the present state as a keyframe, whatever the interval is.
+    ///
+    /// A game does so when it learns that another peer's hash of this tick is not its own: a hash
+    /// only says that states differ, their bytes say in what.
+    pub fn keyframe(&mut self) {
+        Self::keep(&mut self.keyframes, &self.info, &self.simulation);
+    }
+
+    /// Keeps a state of an earlier tick as a keyframe, such as one from the ring of a rollback
+    /// game. Returns whether its tick is among the recorded ones; otherwise nothing is kept.
+    ///
+    /// It is kept as it is, so that [`verify`](super::verify) can tell when it is not the state
+    /// that was recorded.
+    pub fn keyframe_of(&mut self, state: &S) -> bool {
+        Self::keep(&mut self.keyframes, &self.info, state)
+    }
+
+    fn keep(keyframes: &mut BTreeMap<u64, Vec<u8>>, info: &Info, state: &S) -> bool {
+        let Some(ticks) = state.tick().checked_sub(info.first_tick) else { return false };
+        // The first state is the start, which is stored anyway.
+        if (1..=info.ticks).contains(&ticks) {
+            let mut bytes = Vec::new();
+            state.save_into(&mut bytes);
+            keyframes.insert(state.tick(), bytes);
+        }
+        ticks <= info.ticks
     }
 
     /// The replay so far.
     #[must_use]
     pub fn replay(&self) -> Vec<u8> {
-        let Self { simulation: _, info, start, ticks, inputs, keyframes, states } = self;
+        let Self { simulation: _, info, start, ticks, inputs, keyframes } = self;
         let mut record = Vec::new();
         encode_record(info, &mut record);
+        let (mut rows, mut states) = (Vec::new(), Vec::new());
+        for (tick, state) in keyframes {
+            encode_record(&Keyframe { tick: *tick, length: state.len() as u64 }, &mut rows);
+            states.extend_from_slice(state);
+        }
         let parts = [
             (Part::Info, &record),
             (Part::Start, start),
             (Part::Tick, ticks),
             (Part::Input, inputs),
-            (Part::Keyframe, keyframes),
-            (Part::State, states),
+            (Part::Keyframe, &rows),
+            (Part::State, &states),
         ];
         let mut table = ContainerWriter::new(KIND);
         for (part, bytes) in parts {

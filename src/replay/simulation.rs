@@ -41,6 +41,15 @@ pub trait Simulation: Sized {
     /// # Errors
     /// What is wrong with the bytes, and at which offset.
     fn load(bytes: &[u8]) -> Result<Self, DecodeError>;
+
+    /// Becomes the simulation that was saved: [`load`](Self::load), unless buffers can be reused.
+    ///
+    /// # Errors
+    /// Those of `load`; the simulation is then as it was.
+    fn restore(&mut self, bytes: &[u8]) -> Result<(), DecodeError> {
+        *self = Self::load(bytes)?;
+        Ok(())
+    }
 }
 
 impl Simulation for World {
@@ -69,5 +78,9 @@ impl Simulation for World {
 
     fn load(bytes: &[u8]) -> Result<Self, DecodeError> {
         Self::load(bytes)
+    }
+
+    fn restore(&mut self, bytes: &[u8]) -> Result<(), DecodeError> {
+        self.restore(bytes)
     }
 }

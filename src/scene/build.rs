@@ -2,12 +2,16 @@
 
 use alloc::vec::Vec;
 
+use super::cloth::Meshes;
 use super::distance::{DistanceEntry, as_placed};
 use super::error::{Place, SceneError};
+use super::face::FaceEntry;
 use super::half_space::HalfSpaceEntry;
 use super::parse::Description;
 use super::particle::ParticleEntry;
 use super::shape::Shape;
+use super::volume::{self, VolumeEntry};
+use crate::body::Assembly;
 use crate::constraint::Distance;
 use crate::math::Vec3;
 use crate::particle::{ParticleId, ParticleSpec};
@@ -23,7 +27,7 @@ struct Build {
 }
 
 /// Makes the objects of a scene in the order that the floor's documentation states.
-pub(super) fn build(description: &Description) -> Result<World, SceneError> {
+pub(super) fn build(description: &Description, meshes: &Meshes) -> Result<World, SceneError> {
     let mut world =
         WorldBuilder::new(description.config).map_err(|why| Place::of("config").refuses(why))?;
     world.seed(description.seed);
@@ -34,6 +38,14 @@ pub(super) fn build(description: &Description) -> Result<World, SceneError> {
     build.shapes(&description.ropes)?;
     build.shapes(&description.nets)?;
     build.shapes(&description.clouds)?;
+    for (index, cloth) in (0u32..).zip(&description.cloths) {
+        let place = Place::at("cloths", index);
+        build.assemble(place, &cloth.cloth(place, meshes)?)?;
+    }
+    for (index, plant) in (0u32..).zip(&description.plants) {
+        let place = Place::at("plants", index);
+        build.assemble(place, &plant.plant(place, meshes)?)?;
+    }
     for (index, DistanceEntry(distance)) in (0u32..).zip(&description.distances) {
         build.distance(Place::at("distances", index), distance)?;
     }
@@ -44,6 +56,15 @@ pub(super) fn build(description: &Description) -> Result<World, SceneError> {
         let made = build.world.half_space(half_space);
         made.map_err(|why| Place::at("half_spaces", index).refuses(why))?;
     }
+    for (index, VolumeEntry(volume)) in (0u32..).zip(&description.volumes) {
+        let placed = volume::as_placed(volume, |id| build.position(id));
+        let made = build.world.volume(&placed);
+        made.map_err(|why| Place::at("volumes", index).refuses(why))?;
+    }
+    for (index, FaceEntry(face)) in (0u32..).zip(&description.faces) {
+        let made = build.world.face(face);
+        made.map_err(|why| Place::at("faces", index).refuses(why))?;
+    }
     Ok(build.world.build())
 }
 
@@ -51,6 +72,13 @@ impl Build {
     fn particle(&mut self, place: Place, spec: &ParticleSpec) -> Result<(), SceneError> {
         let id = self.world.particle(spec).map_err(|why| place.refuses(why))?;
         self.particles.push((id, spec.position));
+        Ok(())
+    }
+
+    fn assemble(&mut self, place: Place, assembly: &Assembly) -> Result<(), SceneError> {
+        let ids = self.world.assemble(assembly).map_err(|why| place.refuses(why))?;
+        let positions = assembly.particles.iter().map(|spec| spec.position);
+        self.particles.extend(ids.into_iter().zip(positions));
         Ok(())
     }
 
@@ -70,10 +98,13 @@ impl Build {
         Ok(())
     }
 
+    /// Where a particle was placed. A new world has no gaps: slots are places in the list.
+    fn position(&self, id: ParticleId) -> Option<Vec3> {
+        self.particles.get(id.0.slot()).map(|&(_, position)| position)
+    }
+
     fn distance(&mut self, place: Place, distance: &Distance) -> Result<(), SceneError> {
-        // A new world has no gaps: slots are places in the list.
-        let made = |id: ParticleId| self.particles.get(id.0.slot());
-        let placed = as_placed(distance, |id| made(id).map(|&(_, position)| position));
+        let placed = as_placed(distance, |id| self.position(id));
         self.world.distance(&placed).map_err(|why| place.refuses(why))?;
         Ok(())
     }

@@ -20,4 +20,6 @@ pub(super) struct ConfigFields {
     damping: Real,
     #[serde(deserialize_with = "decimal")]
     displacement_max: Real,
+    #[serde(deserialize_with = "vector")]
+    wind: Vec3,
 }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Deserializer};
 use super::number::decimal;
 use super::particle::particle_id;
 use crate::constraint::{Distance, DistanceForm, DistanceId};
-use crate::math::{Real, Unit, Vec3};
+use crate::math::{Factor, Real, Unit, Vec3};
 use crate::particle::ParticleId;
 use crate::store::Handle;
 
@@ -27,8 +27,18 @@ pub(super) struct DistanceFields {
     #[serde(deserialize_with = "decimal")]
     rest_length: Real,
     #[serde(deserialize_with = "decimal")]
+    slack: Real,
+    #[serde(deserialize_with = "decimal")]
     stiffness: Unit,
+    #[serde(deserialize_with = "decimal")]
+    compliance: Unit,
     form: DistanceForm,
+    #[serde(deserialize_with = "decimal")]
+    tear_strain: Factor,
+    #[serde(deserialize_with = "decimal")]
+    toughness: Factor,
+    #[serde(deserialize_with = "decimal")]
+    damage: Factor,
     enabled: bool,
     user: u64,
 }

@@ -5,6 +5,8 @@ use core::fmt;
 
 use ron::error::SpannedError;
 
+use super::ObjError;
+use crate::geometry::MeshError;
 use crate::particle::RangeError;
 use crate::world::Refusal;
 
@@ -29,6 +31,25 @@ pub enum SceneError {
         place: Place,
         /// Its field, and why.
         why: Refusal,
+    },
+    /// The file of a mesh was not given, or not found.
+    NoMesh {
+        /// Which part names it.
+        place: Place,
+    },
+    /// The file of a mesh is not one.
+    Obj {
+        /// The name of the file.
+        file: String,
+        /// Where it goes wrong.
+        why: ObjError,
+    },
+    /// A mesh is not possible where it is put.
+    Mesh {
+        /// Which part.
+        place: Place,
+        /// Why.
+        why: MeshError,
     },
     /// The scene would make more objects of a kind than a world can have.
     TooMany {
@@ -107,6 +128,9 @@ impl fmt::Display for SceneError {
                 Refusal::OutOfRange(_) | Refusal::Stale { .. } => write!(f, "{place}.{why}"),
                 _ => write!(f, "{place}: {why}"),
             },
+            Self::NoMesh { place } => write!(f, "{place}.mesh: no such file"),
+            Self::Obj { file, why } => write!(f, "{file}: {why}"),
+            Self::Mesh { place, why } => write!(f, "{place}.mesh: {why}"),
             Self::TooMany { kind, most } => write!(f, "scene makes more than {most} {kind}"),
         }
     }

@@ -14,18 +14,28 @@
 //! | `ropes` | `from to particles mass pinned stiffness form` |
 //! | `nets` | `corner edge_u edge_v columns rows mass pinned stiffness form diagonals` |
 //! | `clouds` | `count min max speed mass seed` |
-//! | `distances` | `a b rest_length stiffness form enabled user` |
+//! | `cloths` | `mesh at pinned mass stiffness bending form attachments`, |
+//! | | `tear_strain toughness drag`: a [`Cloth`](crate::body::Cloth) |
+//! | `plants` | the same and `compliance spread`: a [`Plant`](crate::body::Plant) |
+//! | `distances` | `a b rest_length slack stiffness compliance form`, |
+//! | | `tear_strain toughness damage enabled user` |
+//! | `volumes` | `corners rest_volume stiffness enabled user` |
+//! | `faces` | `corners drag enabled user` |
 //! | `half_spaces` | `point normal friction restitution enabled user` |
 //! | `timeline` | `tick player action`: one command, an [`Action`](crate::world::Action) |
 //! | `storm` | `from until player spawns removes links impulses min max speed mass` |
 //!
 //! Objects are created, and numbered from 0, in this order: particles, those of ropes, nets and
-//! clouds; then distances, those of ropes and nets; then half-spaces. These numbers are how
-//! distances and commands name them, `3` or `Particle(3)`. A number that the scene has not used
-//! names what a command spawns into that slot, if nothing else ever was in it.
+//! clouds, all of cloths and plants; then distances, those of ropes and nets; then half-spaces,
+//! volumes and faces. These numbers are how distances and commands name them, `3` or
+//! `Particle(3)`. A number that the scene has not used names what a command spawns into that slot,
+//! if nothing else ever was in it.
+//!
+//! A `mesh` is `File("curtain.obj")`, beside the scene, or `Grid(edge_u: (1, 0, 0), edge_v: (0, -1,
+//! 0), columns: 20, rows: 20)`; `pinned` is `Top`, `Bottom`, `Places([0, 19])` or `None`.
 //!
 //! A rope's `mass` may be a pair, from its first to its last particle; a cloud's and a storm's a
-//! pair to draw between. A rest length that is left out, or 0, is the distance as placed.
+//! pair to draw between. A rest length or volume that is left out, or 0, is the one as placed.
 //!
 //! ```
 //! use verlock::scene::Scene;
@@ -45,16 +55,21 @@
 //! }
 //! # Ok::<(), verlock::scene::SceneError>(())
 //! ```
+//!
+//! Meshes come from OBJ files, their numbers likewise from the text: [`Obj`].
 
 mod build;
+mod cloth;
 mod cloud;
 mod config;
 mod distance;
 mod error;
+mod face;
 mod half_space;
 mod list;
 mod net;
 mod number;
+mod obj;
 mod parse;
 mod particle;
 mod rope;
@@ -62,10 +77,14 @@ mod script;
 mod shape;
 mod storm;
 mod timeline;
+mod volume;
 
+use alloc::string::String;
 use alloc::vec::Vec;
 
+use cloth::Meshes;
 pub use error::{Place, SceneError};
+pub use obj::{Obj, ObjError, ObjFault, ObjPart};
 use parse::Description;
 
 use crate::world::{Command, World};
@@ -74,6 +93,7 @@ use crate::world::{Command, World};
 #[derive(Clone, Debug)]
 pub struct Scene {
     description: Description,
+    meshes: Meshes,
 }
 
 impl Scene {
@@ -88,7 +108,34 @@ impl Scene {
     /// # Errors
     /// [`SceneError`] says where the text goes wrong. No text makes it panic.
     pub fn parse(text: &str) -> Result<Self, SceneError> {
-        Description::parse(text).map(|description| Self { description })
+        Self::parse_with(text, |_| None)
+    }
+
+    /// Reads a scene whose meshes are in files: `load` gives the text of an OBJ file by its name.
+    ///
+    /// # Errors
+    /// [`SceneError`] says where the text, or that of a mesh, goes wrong, or which is missing.
+    pub fn parse_with(
+        text: &str,
+        mut load: impl FnMut(&str) -> Option<String>,
+    ) -> Result<Self, SceneError> {
+        let description = Description::parse(text)?;
+        let mut meshes = Meshes::new();
+        let lists = [("cloths", &description.cloths), ("plants", &description.plants)];
+        for (section, list) in lists {
+            for (index, sheet) in (0u32..).zip(list) {
+                let Some(name) = sheet.file() else { continue };
+                if meshes.contains_key(name) {
+                    continue;
+                }
+                let missing = SceneError::NoMesh { place: Place::at(section, index) };
+                let text = load(name).ok_or(missing)?;
+                let obj = Obj::parse(&text);
+                let obj = obj.map_err(|why| SceneError::Obj { file: name.into(), why })?;
+                meshes.insert(name.into(), obj.into_mesh());
+            }
+        }
+        Ok(Self { description, meshes })
     }
 
     /// The scene's world at tick 0. O(objects).
@@ -96,7 +143,7 @@ impl Scene {
     /// # Errors
     /// Names the object and the field that the world refuses.
     pub fn build(&self) -> Result<World, SceneError> {
-        build::build(&self.description)
+        build::build(&self.description, &self.meshes)
     }
 
     /// What the scene's script does to this world in the coming tick: its timeline, then its storm.

@@ -6,10 +6,12 @@ use ron::Options;
 use serde::{Deserialize, Deserializer};
 
 use super::Scene;
+use super::cloth::Sheet;
 use super::cloud::Cloud;
 use super::config::ConfigFields;
 use super::distance::DistanceEntry;
 use super::error::{Place, SceneError, try_each};
+use super::face::FaceEntry;
 use super::half_space::HalfSpaceEntry;
 use super::list::{LIST_MAX, list};
 use super::net::Net;
@@ -19,7 +21,9 @@ use super::rope::Rope;
 use super::shape::Shape;
 use super::storm::Storm;
 use super::timeline::Entry;
-use crate::constraint::{DISTANCES_MAX, HALF_SPACES_MAX};
+use super::volume::VolumeEntry;
+use crate::body::FACES_MAX;
+use crate::constraint::{DISTANCES_MAX, HALF_SPACES_MAX, VOLUMES_MAX};
 use crate::math::Vec3;
 use crate::particle::PARTICLES_MAX;
 use crate::world::WorldConfig;
@@ -47,10 +51,18 @@ pub(super) struct Description {
     pub(super) nets: Vec<Net>,
     #[serde(default, deserialize_with = "list::<_, _, LIST_MAX>")]
     pub(super) clouds: Vec<Cloud>,
+    #[serde(default, deserialize_with = "list::<_, _, LIST_MAX>")]
+    pub(super) cloths: Vec<Sheet>,
+    #[serde(default, deserialize_with = "list::<_, _, LIST_MAX>")]
+    pub(super) plants: Vec<Sheet>,
     #[serde(default, deserialize_with = "list::<_, _, DISTANCES_MAX>")]
     pub(super) distances: Vec<DistanceEntry>,
     #[serde(default, deserialize_with = "list::<_, _, HALF_SPACES_MAX>")]
     pub(super) half_spaces: Vec<HalfSpaceEntry>,
+    #[serde(default, deserialize_with = "list::<_, _, VOLUMES_MAX>")]
+    pub(super) volumes: Vec<VolumeEntry>,
+    #[serde(default, deserialize_with = "list::<_, _, FACES_MAX>")]
+    pub(super) faces: Vec<FaceEntry>,
     #[serde(default, deserialize_with = "list::<_, _, LIST_MAX>")]
     pub(super) timeline: Vec<Entry>,
     #[serde(default, deserialize_with = "present")]
@@ -100,6 +112,8 @@ impl Description {
         shapes(&mut self.ropes, origin)?;
         shapes(&mut self.nets, origin)?;
         shapes(&mut self.clouds, origin)?;
+        try_each("cloths", &mut self.cloths, |cloth| cloth.shift(origin))?;
+        try_each("plants", &mut self.plants, |plant| plant.shift(origin))?;
         try_each("half_spaces", &mut self.half_spaces, |HalfSpaceEntry(half_space)| {
             shift(&mut half_space.point, origin, "point")
         })?;

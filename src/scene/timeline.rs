@@ -4,10 +4,13 @@ use serde::Deserialize;
 
 use super::config::ConfigFields;
 use super::distance::{DistanceFields, as_placed, distance_id};
+use super::face::{FaceFields, face_id};
 use super::half_space::{HalfSpaceFields, half_space_id};
 use super::number::{decimal, shift, vector};
 use super::particle::{particle, particle_id};
-use crate::constraint::{Distance, DistanceId, HalfSpace, HalfSpaceId};
+use super::volume::{self, VolumeFields, volume_id};
+use crate::body::{Face, FaceId};
+use crate::constraint::{Distance, DistanceId, HalfSpace, HalfSpaceId, Volume, VolumeId};
 use crate::math::{Factor, Real, Vec3};
 use crate::particle::{ParticleId, ParticleSpec, RangeError};
 use crate::world::{Action, ObjectId, World, WorldConfig};
@@ -43,6 +46,10 @@ impl Entry {
             Action::SpawnDistance { token, distance } => {
                 let distance = as_placed(&distance, |id| world.position(id));
                 Action::SpawnDistance { token, distance }
+            }
+            Action::SpawnVolume { token, volume } => {
+                let volume = volume::as_placed(&volume, |id| world.position(id));
+                Action::SpawnVolume { token, volume }
             }
             action => action,
         }
@@ -149,6 +156,22 @@ enum ActionFields {
         #[serde(with = "ConfigFields")]
         config: WorldConfig,
     },
+    SpawnVolume {
+        #[serde(default)]
+        token: u64,
+        #[serde(with = "VolumeFields")]
+        volume: Volume,
+    },
+    SpawnFace {
+        #[serde(default)]
+        token: u64,
+        #[serde(with = "FaceFields")]
+        face: Face,
+    },
+    SetWind {
+        #[serde(deserialize_with = "vector")]
+        wind: Vec3,
+    },
 }
 
 /// How a scene file names an object.
@@ -158,4 +181,6 @@ enum ObjectFields {
     Particle(#[serde(deserialize_with = "particle_id")] ParticleId),
     Distance(#[serde(deserialize_with = "distance_id")] DistanceId),
     HalfSpace(#[serde(deserialize_with = "half_space_id")] HalfSpaceId),
+    Volume(#[serde(deserialize_with = "volume_id")] VolumeId),
+    Face(#[serde(deserialize_with = "face_id")] FaceId),
 }

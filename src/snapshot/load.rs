@@ -138,6 +138,8 @@ impl<'a> Snapshot<'a> {
             distances: self.table(Section::DistanceSlot, Section::Distance)?,
             carries: self.rows(Section::Carry)?,
             half_spaces: self.table(Section::HalfSpaceSlot, Section::HalfSpace)?,
+            volumes: self.table(Section::VolumeSlot, Section::Volume)?,
+            faces: self.table(Section::FaceSlot, Section::Face)?,
         };
         let good = |section, result: Result<(), RangeError>| {
             let reason = |error| DecodeReason::OutOfRange(error);
@@ -148,6 +150,8 @@ impl<'a> Snapshot<'a> {
         good(Section::Distance, state.validate_distances())?;
         good(Section::Carry, state.validate_carries())?;
         good(Section::HalfSpace, state.validate_half_spaces())?;
+        good(Section::Volume, state.validate_volumes())?;
+        good(Section::Face, state.validate_faces())?;
         Ok(state)
     }
 }

@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::codec::{encode_numbers, encode_record, encode_rows};
 use super::{ContainerKind, ContainerWriter, Hash, Section};
-use crate::constraint::{Carry, Distance, HalfSpace};
+use crate::body::Face;
+use crate::constraint::{Carry, Distance, HalfSpace, Volume};
 use crate::math::Pcg;
 use crate::particle::{Particle, ParticleSet};
 use crate::store::Column;
@@ -35,6 +36,8 @@ enum Rows<'a> {
     Distances(&'a Column<Distance>),
     Carries(&'a [Carry]),
     HalfSpaces(&'a Column<HalfSpace>),
+    Volumes(&'a Column<Volume>),
+    Faces(&'a Column<Face>),
 }
 
 impl Rows<'_> {
@@ -48,6 +51,8 @@ impl Rows<'_> {
             Self::Distances(rows) => rows.len(),
             Self::Carries(rows) => rows.len(),
             Self::HalfSpaces(rows) => rows.len(),
+            Self::Volumes(rows) => rows.len(),
+            Self::Faces(rows) => rows.len(),
         }
     }
 
@@ -65,6 +70,8 @@ impl Rows<'_> {
             Self::Distances(rows) => Cow::Owned(encode_rows(rows)),
             Self::Carries(rows) => encode_numbers(rows),
             Self::HalfSpaces(rows) => Cow::Owned(encode_rows(rows)),
+            Self::Volumes(rows) => Cow::Owned(encode_rows(rows)),
+            Self::Faces(rows) => Cow::Owned(encode_rows(rows)),
         }
     }
 
@@ -79,13 +86,18 @@ impl Rows<'_> {
             Self::Particles(column) => column.hash_or(fresh),
             Self::Distances(column) => column.hash_or(fresh),
             Self::HalfSpaces(column) => column.hash_or(fresh),
+            Self::Volumes(column) => column.hash_or(fresh),
+            Self::Faces(column) => column.hash_or(fresh),
         })
     }
 }
 
 /// Every section of a state. Destructures all of it, so that no field can be forgotten.
-fn sections(state: &State) -> [(Section, Rows<'_>); 10] {
-    let State { tick, phase, config, random, particles, distances, carries, half_spaces } = state;
+fn sections(state: &State) -> [(Section, Rows<'_>); 14] {
+    #[rustfmt::skip]
+    let State {
+        tick, phase, config, random, particles, distances, carries, half_spaces, volumes, faces,
+    } = state;
     let ParticleSet { table, position, displacement } = particles;
     let world = WorldRecord { tick: *tick, phase: *phase, config: *config, random: *random };
     [
@@ -99,6 +111,10 @@ fn sections(state: &State) -> [(Section, Rows<'_>); 10] {
         (Section::HalfSpaceSlot, Rows::Slots(half_spaces.slots().generations())),
         (Section::HalfSpace, Rows::HalfSpaces(half_spaces.rows())),
         (Section::Carry, Rows::Carries(carries)),
+        (Section::VolumeSlot, Rows::Slots(volumes.slots().generations())),
+        (Section::Volume, Rows::Volumes(volumes.rows())),
+        (Section::FaceSlot, Rows::Slots(faces.slots().generations())),
+        (Section::Face, Rows::Faces(faces.rows())),
     ]
 }
 
@@ -122,7 +138,7 @@ impl World {
 
     /// The hash of every section, to tell which part of two worlds differs.
     #[must_use]
-    pub fn part_hashes(&self) -> [(Section, Hash); 10] {
+    pub fn part_hashes(&self) -> [(Section, Hash); 14] {
         sections(&self.state).map(|(section, rows)| (section, rows.hash()))
     }
 

@@ -29,6 +29,14 @@ pub enum Section {
     HalfSpace = 9,
     /// What rounding left over of the corrections of start-of-step distances, one each or none.
     Carry = 10,
+    /// Generations of the volume slots.
+    VolumeSlot = 11,
+    /// Volume constraints, one a slot.
+    Volume = 12,
+    /// Generations of the face slots.
+    FaceSlot = 13,
+    /// Faces, one a slot.
+    Face = 14,
 }
 
 /// One number of a record.
@@ -86,7 +94,7 @@ macro_rules! fields {
 
 impl Section {
     /// All sections in the order of the file.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 14] = [
         Self::World,
         Self::ParticleSlot,
         Self::Position,
@@ -97,6 +105,10 @@ impl Section {
         Self::HalfSpaceSlot,
         Self::HalfSpace,
         Self::Carry,
+        Self::VolumeSlot,
+        Self::Volume,
+        Self::FaceSlot,
+        Self::Face,
     ];
 
     /// The section's name in messages.
@@ -111,6 +123,10 @@ impl Section {
             Self::DistanceSlot => "distance-slot",
             Self::Distance => "distance",
             Self::Carry => "carry",
+            Self::VolumeSlot => "volume-slot",
+            Self::Volume => "volume",
+            Self::FaceSlot => "face-slot",
+            Self::Face => "face",
             Self::HalfSpaceSlot => "half-space-slot",
             Self::HalfSpace => "half-space",
         }
@@ -125,9 +141,14 @@ impl Section {
                 "tick_rate": U32, "substeps": U32, "iterations": U32,
                 "gravity.x": Real, "gravity.y": Real, "gravity.z": Real,
                 "damping": Real, "displacement_max": Real,
+                "wind.x": Real, "wind.y": Real, "wind.z": Real,
                 "random.state": U64, "random.increment": U64,
             },
-            Self::ParticleSlot | Self::DistanceSlot | Self::HalfSpaceSlot => fields! {
+            Self::ParticleSlot
+            | Self::DistanceSlot
+            | Self::HalfSpaceSlot
+            | Self::VolumeSlot
+            | Self::FaceSlot => fields! {
                 "generation": U32,
             },
             Self::Position => fields! { "x": Real, "y": Real, "z": Real },
@@ -141,8 +162,23 @@ impl Section {
             },
             Self::Distance => fields! {
                 "a.index": U32, "a.generation": U32, "b.index": U32, "b.generation": U32,
-                "rest_length": Real, "stiffness": Unit,
-                "form": Variant(&["exact", "start-of-step"]), "enabled": Bool, "user": U64,
+                "rest_length": Real, "slack": Real, "stiffness": Unit, "compliance": Unit,
+                "form": Variant(&["exact", "start-of-step", "root-free", "division-free"]),
+                "tear_strain": Factor, "toughness": Factor, "damage": Factor,
+                "enabled": Bool, "user": U64,
+            },
+            Self::Volume => fields! {
+                "corners.0.index": U32, "corners.0.generation": U32,
+                "corners.1.index": U32, "corners.1.generation": U32,
+                "corners.2.index": U32, "corners.2.generation": U32,
+                "corners.3.index": U32, "corners.3.generation": U32,
+                "rest_volume": Real, "stiffness": Unit, "enabled": Bool, "user": U64,
+            },
+            Self::Face => fields! {
+                "corners.0.index": U32, "corners.0.generation": U32,
+                "corners.1.index": U32, "corners.1.generation": U32,
+                "corners.2.index": U32, "corners.2.generation": U32,
+                "drag": Factor, "enabled": Bool, "user": U64,
             },
             Self::Carry => fields! {
                 "a.x": Carry, "a.y": Carry, "a.z": Carry, "b.x": Carry, "b.y": Carry, "b.z": Carry,

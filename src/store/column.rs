@@ -34,6 +34,11 @@ impl<T: Clone> Column<T> {
     /// Write access. O(1), or O(n) while a clone shares the records.
     pub(crate) fn edit(&mut self) -> &mut Vec<T> {
         self.changed = true;
+        self.adjust()
+    }
+
+    /// Write access to what nothing is derived from but the hash: the mark is not raised.
+    pub(crate) fn adjust(&mut self) -> &mut Vec<T> {
         let shared = Arc::make_mut(&mut self.shared);
         shared.hash.clear();
         &mut shared.items

@@ -73,6 +73,11 @@ impl<T: Clone + Default + PartialEq> Table<T> {
         self.slots.contains(handle).then(|| &mut self.rows.edit()[handle.slot()])
     }
 
+    /// Write access to something that nothing is derived from.
+    pub(crate) fn adjust(&mut self, handle: Handle) -> Option<&mut T> {
+        self.slots.contains(handle).then(|| &mut self.rows.adjust()[handle.slot()])
+    }
+
     /// All living objects in order of their slots.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (Handle, &T)> + '_ {
         self.slots.iter().map(|handle| (handle, &self.rows[handle.slot()]))

@@ -68,13 +68,28 @@ impl World {
             Action::SetRestLength { distance, rest_length } => {
                 let stale = Refusal::Stale { field: "distance" };
                 let mut row = *self.state.distances.get(distance.0).ok_or(stale)?;
+                let is_rope = row.slack == row.rest_length;
                 row.rest_length = *rest_length;
+                row.slack = if is_rope { *rest_length } else { row.slack.min(*rest_length) };
                 row.validate()?;
                 self.state.distances.set(distance.0, row);
             }
             Action::SetEnabled { object, enabled } => self.set_enabled(*object, *enabled)?,
             Action::SetUser { object, user } => self.set_user(*object, *user)?,
             Action::Configure { config } => self.configure(config)?,
+            Action::SpawnVolume { token, volume } => {
+                let object = ObjectId::Volume(self.state.spawn_volume(volume)?);
+                self.report(EventKind::Spawned { token: *token, object });
+            }
+            Action::SpawnFace { token, face } => {
+                let object = ObjectId::Face(self.state.spawn_face(face)?);
+                self.report(EventKind::Spawned { token: *token, object });
+            }
+            Action::SetWind { wind } => {
+                let config = WorldConfig { wind: *wind, ..self.state.config };
+                config.validate()?;
+                self.state.config = config;
+            }
         }
         Ok(())
     }
@@ -128,6 +143,8 @@ impl World {
             ObjectId::Particle(id) => self.state.particles.remove(id),
             ObjectId::Distance(id) => self.state.remove_distance(id),
             ObjectId::HalfSpace(id) => self.state.half_spaces.remove(id.0).is_some(),
+            ObjectId::Volume(id) => self.state.volumes.remove(id.0).is_some(),
+            ObjectId::Face(id) => self.state.faces.remove(id.0).is_some(),
         };
         if !removed {
             return Err(stale);
@@ -139,7 +156,7 @@ impl World {
         Ok(())
     }
 
-    /// Removes the constraints whose particles were removed in this tick. O(constraints).
+    /// Removes what needed particles that were removed in this tick. O(objects).
     pub(super) fn remove_orphans(&mut self) {
         if self.work.removed.is_empty() {
             return;
@@ -153,6 +170,19 @@ impl World {
         for id in orphans {
             self.state.remove_distance(id);
             self.report(EventKind::Removed { object: ObjectId::Distance(id) });
+        }
+        let needs = |corners: &[ParticleId]| corners.iter().any(|id| removed.contains(id));
+        let orphans = self.volumes().filter(|(_, volume)| needs(&volume.corners));
+        let orphans: Vec<_> = orphans.map(|(id, _)| id).collect();
+        for id in orphans {
+            self.state.volumes.remove(id.0);
+            self.report(EventKind::Removed { object: ObjectId::Volume(id) });
+        }
+        let orphans = self.faces().filter(|(_, face)| needs(&face.corners));
+        let orphans: Vec<_> = orphans.map(|(id, _)| id).collect();
+        for id in orphans {
+            self.state.faces.remove(id.0);
+            self.report(EventKind::Removed { object: ObjectId::Face(id) });
         }
     }
 
@@ -201,6 +231,10 @@ impl World {
             ObjectId::HalfSpace(id) => {
                 self.state.half_spaces.get_mut(id.0).map(|row| row.enabled = enabled)
             }
+            ObjectId::Volume(id) => {
+                self.state.volumes.get_mut(id.0).map(|row| row.enabled = enabled)
+            }
+            ObjectId::Face(id) => self.state.faces.get_mut(id.0).map(|row| row.enabled = enabled),
         }
         .ok_or(Refusal::Stale { field: "object" })
     }
@@ -212,6 +246,8 @@ impl World {
             ObjectId::HalfSpace(id) => {
                 self.state.half_spaces.get_mut(id.0).map(|row| row.user = user)
             }
+            ObjectId::Volume(id) => self.state.volumes.get_mut(id.0).map(|row| row.user = user),
+            ObjectId::Face(id) => self.state.faces.get_mut(id.0).map(|row| row.user = user),
         }
         .ok_or(Refusal::Stale { field: "object" })
     }

@@ -5,7 +5,8 @@ use core::fmt;
 use serde::{Deserialize, Serialize};
 
 use super::WorldConfig;
-use crate::constraint::{Distance, DistanceId, HalfSpace, HalfSpaceId};
+use crate::body::{Face, FaceId};
+use crate::constraint::{Distance, DistanceId, HalfSpace, HalfSpaceId, Volume, VolumeId};
 use crate::math::{Factor, Real, Vec3};
 use crate::particle::{ParticleId, ParticleSpec};
 
@@ -120,7 +121,8 @@ pub enum Action {
         /// Metres.
         position: Vec3,
     },
-    /// Changes the length that a distance constraint keeps.
+    /// Changes the length that a distance constraint keeps. A rope stays one; other slack is cut to
+    /// the new length.
     SetRestLength {
         /// Which.
         distance: DistanceId,
@@ -146,6 +148,25 @@ pub enum Action {
         /// The new one.
         config: WorldConfig,
     },
+    /// Adds a volume constraint between four living particles.
+    SpawnVolume {
+        /// Comes back in the event.
+        token: u64,
+        /// The constraint.
+        volume: Volume,
+    },
+    /// Adds a face between three living particles.
+    SpawnFace {
+        /// Comes back in the event.
+        token: u64,
+        /// The face.
+        face: Face,
+    },
+    /// Changes how the air moves.
+    SetWind {
+        /// m/s.
+        wind: Vec3,
+    },
 }
 
 /// Names any object of a world.
@@ -158,6 +179,10 @@ pub enum ObjectId {
     Distance(DistanceId),
     /// A half-space.
     HalfSpace(HalfSpaceId),
+    /// A volume constraint.
+    Volume(VolumeId),
+    /// A face.
+    Face(FaceId),
 }
 
 impl From<ParticleId> for ObjectId {
@@ -178,12 +203,26 @@ impl From<HalfSpaceId> for ObjectId {
     }
 }
 
+impl From<VolumeId> for ObjectId {
+    fn from(id: VolumeId) -> Self {
+        Self::Volume(id)
+    }
+}
+
+impl From<FaceId> for ObjectId {
+    fn from(id: FaceId) -> Self {
+        Self::Face(id)
+    }
+}
+
 impl fmt::Display for ObjectId {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Particle(id) => id.fmt(f),
             Self::Distance(id) => id.fmt(f),
             Self::HalfSpace(id) => id.fmt(f),
+            Self::Volume(id) => id.fmt(f),
+            Self::Face(id) => id.fmt(f),
         }
     }
 }

@@ -28,6 +28,8 @@ pub struct WorldConfig {
     /// Metres that a particle may move along each axis in one substep, more than 0, at most 64.
     /// Default 64. What would go further is cut, keeping its direction, with an event.
     pub displacement_max: Real,
+    /// How the air moves, m/s, each component within +-1,000: it drags faces along. Default 0.
+    pub wind: Vec3,
 }
 
 impl WorldConfig {
@@ -37,6 +39,8 @@ impl WorldConfig {
     pub const SUBSTEPS_MAX: u32 = 64;
     /// Greatest component of gravity.
     pub const GRAVITY_MAX: Real = Real::from_int(1000);
+    /// Greatest component of the wind.
+    pub const WIND_MAX: Real = Real::from_int(1000);
     /// Greatest displacement in a substep.
     pub const DISPLACEMENT_MAX: Real = Real::from_raw(DISPLACEMENT_LIMIT);
 
@@ -45,7 +49,8 @@ impl WorldConfig {
     /// # Errors
     /// Names the first field that is out of its range.
     pub fn validate(&self) -> Result<(), RangeError> {
-        let Self { tick_rate, substeps, iterations, gravity, damping, displacement_max } = self;
+        let Self { tick_rate, substeps, iterations, gravity, damping, .. } = self;
+        let Self { displacement_max, wind, .. } = self;
         check((1..=Self::TICK_RATE_MAX).contains(tick_rate), "tick_rate")?;
         check((1..=Self::SUBSTEPS_MAX).contains(substeps), "substeps")?;
         check((1..=ITERATIONS_MAX).contains(iterations), "iterations")?;
@@ -53,7 +58,8 @@ impl WorldConfig {
         let whole = i64::from(*tick_rate) << Real::FRACTION_BITS;
         check((0..=whole).contains(&damping.raw()), "damping")?;
         let displacements = Real::ULP..=Self::DISPLACEMENT_MAX;
-        check(displacements.contains(displacement_max), "displacement_max")
+        check(displacements.contains(displacement_max), "displacement_max")?;
+        check(within(*wind, Self::WIND_MAX.raw()), "wind")
     }
 
     /// Substeps per second.
@@ -94,6 +100,7 @@ impl Default for WorldConfig {
             gravity: Vec3::new(Real::ZERO, real!("-9.81"), Real::ZERO),
             damping: Real::ZERO,
             displacement_max: Self::DISPLACEMENT_MAX,
+            wind: Vec3::ZERO,
         }
     }
 }

@@ -3,6 +3,7 @@
 use core::fmt;
 
 use super::ObjectId;
+use crate::constraint::DistanceId;
 use crate::particle::{ParticleId, RangeError};
 
 /// Something that happened in a tick.
@@ -29,6 +30,11 @@ pub enum EventKind {
     Removed {
         /// Its id until now.
         object: ObjectId,
+    },
+    /// A distance tore: it is disabled, and so are the faces along it.
+    Broken {
+        /// Which.
+        distance: DistanceId,
     },
     /// A command did nothing.
     Refused {
@@ -96,6 +102,7 @@ impl fmt::Display for Event {
         match &self.kind {
             EventKind::Spawned { token, object } => write!(f, "{object} spawned for token {token}"),
             EventKind::Removed { object } => write!(f, "{object} removed"),
+            EventKind::Broken { distance } => write!(f, "{distance} broke"),
             EventKind::Refused { player, sequence, why } => {
                 write!(f, "command {sequence} of player {player} refused: {why}")
             }

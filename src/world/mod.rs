@@ -4,6 +4,7 @@ mod apply;
 mod builder;
 mod command;
 mod config;
+mod draw;
 mod event;
 mod state;
 mod step;
@@ -14,11 +15,13 @@ use alloc::vec::Vec;
 pub use builder::WorldBuilder;
 pub use command::{Action, Command, ObjectId};
 pub use config::WorldConfig;
+pub use draw::{Detail, DrawOptions, DrawSink, Shade};
 pub use event::{Event, EventKind, Refusal};
 pub(crate) use state::State;
 use step::{Caches, Work};
 
-use crate::constraint::{Distance, DistanceId, HalfSpace, HalfSpaceId};
+use crate::body::{Face, FaceId};
+use crate::constraint::{Distance, DistanceId, HalfSpace, HalfSpaceId, Volume, VolumeId};
 use crate::math::{Pcg, Vec3};
 use crate::particle::{ParticleId, ParticleSet};
 
@@ -102,6 +105,28 @@ impl World {
     /// All half-spaces in order of their slots.
     pub fn half_spaces(&self) -> impl Iterator<Item = (HalfSpaceId, &HalfSpace)> {
         self.state.half_spaces.iter().map(|(handle, half_space)| (HalfSpaceId(handle), half_space))
+    }
+
+    /// A volume constraint.
+    #[must_use]
+    pub fn volume(&self, id: VolumeId) -> Option<&Volume> {
+        self.state.volumes.get(id.0)
+    }
+
+    /// All volume constraints in order of their slots.
+    pub fn volumes(&self) -> impl Iterator<Item = (VolumeId, &Volume)> {
+        self.state.volumes.iter().map(|(handle, volume)| (VolumeId(handle), volume))
+    }
+
+    /// A face.
+    #[must_use]
+    pub fn face(&self, id: FaceId) -> Option<&Face> {
+        self.state.faces.get(id.0)
+    }
+
+    /// All faces in order of their slots.
+    pub fn faces(&self) -> impl Iterator<Item = (FaceId, &Face)> {
+        self.state.faces.iter().map(|(handle, face)| (FaceId(handle), face))
     }
 
     /// What happened in the last step, ordered by kind and ids: nothing after `restore`, the

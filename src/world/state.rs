@@ -3,8 +3,10 @@
 use alloc::vec::Vec;
 
 use super::{Refusal, WorldConfig};
+use crate::body::{FACES_MAX, Face, FaceId};
 use crate::constraint::{
     CARRY_MAX, Carry, DISTANCES_MAX, Distance, DistanceId, HALF_SPACES_MAX, HalfSpace, HalfSpaceId,
+    VOLUMES_MAX, Volume, VolumeId,
 };
 use crate::math::Pcg;
 use crate::particle::{PARTICLES_MAX, ParticleId, ParticleSet, ParticleSpec, RangeError, check};
@@ -23,6 +25,8 @@ pub(crate) struct State {
     /// One for each distance that is carried, in slot order; none after their list changed.
     pub(crate) carries: Vec<Carry>,
     pub(crate) half_spaces: Table<HalfSpace>,
+    pub(crate) volumes: Table<Volume>,
+    pub(crate) faces: Table<Face>,
 }
 
 /// No snapshot is later, so that ticks can be counted on from it for ever.
@@ -42,6 +46,8 @@ impl State {
             distances: Table::default(),
             carries: Vec::new(),
             half_spaces: Table::default(),
+            volumes: Table::default(),
+            faces: Table::default(),
         }
     }
 
@@ -61,16 +67,37 @@ impl State {
 
     pub(super) fn spawn_distance(&mut self, distance: &Distance) -> Result<DistanceId, Refusal> {
         distance.validate()?;
-        for (end, field) in [(distance.a, "a"), (distance.b, "b")] {
-            if !self.particles.contains(end) {
-                return Err(Refusal::Stale { field });
-            }
-        }
+        self.alive(&[distance.a], "a")?;
+        self.alive(&[distance.b], "b")?;
         if !self.distances.slots().has_room(DISTANCES_MAX) {
             return Err(Refusal::Full);
         }
         self.carries.clear();
         Ok(DistanceId(self.distances.insert(*distance)))
+    }
+
+    /// Whether all of these particles are alive; `field` names them.
+    fn alive(&self, ids: &[ParticleId], field: &'static str) -> Result<(), Refusal> {
+        let alive = ids.iter().all(|&id| self.particles.contains(id));
+        if alive { Ok(()) } else { Err(Refusal::Stale { field }) }
+    }
+
+    pub(super) fn spawn_volume(&mut self, volume: &Volume) -> Result<VolumeId, Refusal> {
+        volume.validate()?;
+        self.alive(&volume.corners, "corners")?;
+        if !self.volumes.slots().has_room(VOLUMES_MAX) {
+            return Err(Refusal::Full);
+        }
+        Ok(VolumeId(self.volumes.insert(*volume)))
+    }
+
+    pub(super) fn spawn_face(&mut self, face: &Face) -> Result<FaceId, Refusal> {
+        face.validate()?;
+        self.alive(&face.corners, "corners")?;
+        if !self.faces.slots().has_room(FACES_MAX) {
+            return Err(Refusal::Full);
+        }
+        Ok(FaceId(self.faces.insert(*face)))
     }
 
     /// Removes a distance; `false` if the id is stale.
@@ -144,6 +171,24 @@ impl State {
         check(self.carries.iter().flatten().flatten().all(small), "carry")
     }
 
+    /// Checks the volume constraints and that their corners are alive.
+    pub(crate) fn validate_volumes(&self) -> Result<(), RangeError> {
+        check(self.volumes.rows().len() <= VOLUMES_MAX, "volume count")?;
+        self.volumes.iter().try_for_each(|(_, volume)| {
+            check(volume.corners.iter().all(|&id| self.particles.contains(id)), "corners")?;
+            volume.validate()
+        })
+    }
+
+    /// Checks the faces and that their corners are alive.
+    pub(crate) fn validate_faces(&self) -> Result<(), RangeError> {
+        check(self.faces.rows().len() <= FACES_MAX, "face count")?;
+        self.faces.iter().try_for_each(|(_, face)| {
+            check(face.corners.iter().all(|&id| self.particles.contains(id)), "corners")?;
+            face.validate()
+        })
+    }
+
     /// Checks the half-spaces.
     pub(crate) fn validate_half_spaces(&self) -> Result<(), RangeError> {
         check(self.half_spaces.rows().len() <= HALF_SPACES_MAX, "half-space count")?;
@@ -153,22 +198,17 @@ impl State {
 
 impl Clone for State {
     fn clone(&self) -> Self {
-        let Self { tick, phase, config, random, particles, distances, carries, half_spaces } = self;
-        Self {
-            tick: *tick,
-            phase: *phase,
-            config: *config,
-            random: *random,
-            particles: particles.clone(),
-            distances: distances.clone(),
-            carries: carries.clone(),
-            half_spaces: half_spaces.clone(),
-        }
+        let mut clone = Self::new(self.config);
+        clone.clone_from(self);
+        clone
     }
 
     fn clone_from(&mut self, source: &Self) {
-        let Self { tick, phase, config, random, particles, distances, carries, half_spaces } =
-            source;
+        // All of it, so that no field can be forgotten.
+        #[rustfmt::skip]
+        let Self {
+            tick, phase, config, random, particles, distances, carries, half_spaces, volumes, faces,
+        } = source;
         self.tick = *tick;
         self.phase = *phase;
         self.config = *config;
@@ -177,5 +217,7 @@ impl Clone for State {
         self.distances.clone_from(distances);
         self.carries.clone_from(carries);
         self.half_spaces.clone_from(half_spaces);
+        self.volumes.clone_from(volumes);
+        self.faces.clone_from(faces);
     }
 }

@@ -5,9 +5,13 @@ use alloc::sync::Arc;
 use alloc::vec::Vec;
 
 use super::{Command, Event, EventKind, State, World};
-use crate::constraint::{Carry, Distance, HalfSpace, Plan, Touch, collide, settle};
+use crate::body::{Air, Face, Gust};
+use crate::constraint::{
+    Carry, DistanceId, HalfSpace, Locals, Memories, Plan, Tear, Tearable, Tetrahedron, Touch,
+    collide, settle,
+};
+use crate::math::wide::add;
 use crate::particle::{Drive, Fault, Particle, ParticleId, ParticleSet, PinMotion, Substep};
-use crate::store::Table;
 
 /// Buffers of one tick. Nothing in them outlives it, so they are neither saved nor cloned.
 #[derive(Debug, Default)]
@@ -29,25 +33,44 @@ pub(super) struct Work {
     /// Positions at the start of the substep.
     start: Vec<[i64; 3]>,
     touches: Vec<Touch>,
+    /// Cloth in 32 bits.
+    locals: Locals,
+    /// What compliant links have taken.
+    taken: Vec<i64>,
+    /// What the air does, and the motions that come of it.
+    air: Air,
+    gusts: Vec<Gust>,
 }
 
 /// What is derived from the objects. Shared by clones; unable to change a result.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Caches {
     /// The constraints as the relaxation wants them.
     plan: Plan,
+    /// The volume constraints as the relaxation wants them.
+    volumes: Vec<Tetrahedron>,
+    /// The distances that can tear.
+    tearable: Vec<Tearable>,
     /// Which acceleration drives each particle.
     drive: Vec<Drive>,
+    /// Substeps per second, on which compliant constraints depend.
+    per_second: u32,
 }
 
 impl Caches {
-    fn new(particles: &Table<Particle>, distances: &Table<Distance>) -> Self {
+    fn new(state: &State) -> Self {
+        let State { config, particles, distances, volumes, .. } = state;
+        let (particles, per_second) = (&particles.table, config.pace().per_second());
         let drive = |(index, row)| match particles.slots().tenant(index) {
             Some(_) => Drive::of(row),
             None => Drive::Still,
         };
         let drive = (0u32..).zip(particles.rows().iter()).map(drive).collect();
-        Self { plan: Plan::new(distances, particles), drive }
+        let plan = Plan::new(distances, particles, per_second);
+        let volumes = volumes.iter().filter_map(|(_, volume)| Tetrahedron::of(volume, particles));
+        let (volumes, tearable) =
+            (volumes.collect(), Tearable::all(distances, particles).collect());
+        Self { plan, volumes, tearable, drive, per_second }
     }
 }
 
@@ -69,6 +92,7 @@ impl World {
             self.settle_velocities();
             self.sort_events();
         }
+        self.tear();
         self.end();
         &self.events
     }
@@ -82,13 +106,17 @@ impl World {
 
     /// Rebuilds what is derived from the objects, if they changed.
     fn refresh_caches(&mut self) {
-        let State { particles, distances, carries, .. } = &mut self.state;
-        // Both marks must be taken: no short circuit.
-        if particles.table.take_changed() | distances.take_changed() {
-            self.caches = Arc::new(Caches::new(&particles.table, distances));
+        let State { config, particles, distances, volumes, .. } = &mut self.state;
+        // All marks must be taken: no short circuit.
+        let changed = particles.table.take_changed()
+            | distances.take_changed()
+            | volumes.take_changed()
+            | (config.pace().per_second() != self.caches.per_second);
+        if changed {
+            self.caches = Arc::new(Caches::new(&self.state));
         }
         // Removed when the list of distances changed, otherwise as many as there are.
-        carries.resize(self.caches.plan.carried(), Carry::default());
+        self.state.carries.resize(self.caches.plan.carried(), Carry::default());
     }
 
     /// Collects what acts in all substeps of this tick.
@@ -105,6 +133,8 @@ impl World {
         work.pushes.clear();
         work.pushes.extend(forces.map(|(id, acceleration)| (id.0.index, *acceleration)));
 
+        let State { config, particles, faces, .. } = &*state;
+        work.air.blow(faces, particles, config.wind, config.pace(), &mut work.gusts);
         let active = state.half_spaces.iter().filter(|(_, shape)| shape.enabled);
         work.surfaces.clear();
         work.surfaces.extend(active.map(|(_, shape)| *shape));
@@ -125,6 +155,10 @@ impl World {
         let report = reporter(events, state.tick);
         state.particles.integrate(&substep, &caches.drive, &mut work.start, report);
         state.particles.push(&substep, &work.pushes);
+        for gust in &work.gusts {
+            let position = &mut state.particles.position[gust.slot as usize];
+            *position = add(*position, gust.motion(state.phase));
+        }
         let left = config.substeps - index;
         let report = reporter(events, state.tick);
         state.particles.move_pins(&work.pin_motions, left, substep.displacement_max, report);
@@ -133,12 +167,38 @@ impl World {
 
     /// Relaxes distances and half-spaces, `iterations` times.
     fn relax(&mut self) {
+        self.work.taken.clear();
+        self.work.taken.resize(self.caches.plan.giving(), 0);
+        let mut left = self.state.config.iterations;
+        while left > 0 {
+            self.gather_cloth();
+            let Self { state, work, caches, .. } = self;
+            let Work { start, surfaces, locals, taken, touches, .. } = work;
+            let (plan, position) = (&caches.plan, &mut state.particles.position);
+            // Volumes and surfaces must find everything where it is after every relaxation.
+            let free = surfaces.is_empty() && caches.volumes.is_empty();
+            let passes = if free { left.min(plan.cloth().passes()) } else { 1 };
+            for _ in 0..passes {
+                locals.relax(plan.cloth());
+                plan.relax(start, position, Memories { carries: &mut state.carries, taken });
+            }
+            locals.scatter(plan.cloth(), position);
+            caches.volumes.iter().for_each(|volume| volume.relax(position));
+            let moves = |slot: usize| caches.drive[slot] != Drive::Still;
+            collide(surfaces, moves, start, position, touches);
+            left -= passes;
+        }
+    }
+
+    /// Takes cloth to 32 bits, but for what has grown too large.
+    fn gather_cloth(&mut self) {
         let Self { state, work, caches, .. } = self;
-        let position = &mut state.particles.position;
-        let moves = |slot: usize| caches.drive[slot] != Drive::Still;
-        for _ in 0..state.config.iterations {
-            caches.plan.relax(&work.start, position, &mut state.carries);
-            collide(&work.surfaces, moves, &work.start, position, &mut work.touches);
+        let State { particles, distances, .. } = state;
+        while let Err(far) = work.locals.gather(caches.plan.cloth(), &particles.position) {
+            let mut changed = Caches::clone(caches);
+            let (plan, per_second) = (&mut changed.plan, caches.per_second);
+            *plan = plan.with_far(far, distances, &particles.table, per_second);
+            *caches = Arc::new(changed);
         }
     }
 
@@ -173,6 +233,53 @@ impl World {
     fn sort_events(&mut self) {
         self.events.sort_unstable();
         self.events.dedup();
+    }
+
+    /// Damages distances that are too long, and breaks those that stood enough. O(tearable), and
+    /// O((faces + broken) log broken) when some break.
+    fn tear(&mut self) {
+        let mut broken = Vec::new();
+        for tearable in &self.caches.tearable {
+            let State { particles, distances, .. } = &mut self.state;
+            let Some(distance) = distances.get(tearable.id.0) else { continue };
+            let ends = [distance.a, distance.b];
+            match tearable.tear(distance, &particles.position) {
+                None => {}
+                Some(Tear::Worn(damage)) => {
+                    if let Some(row) = distances.adjust(tearable.id.0) {
+                        row.damage = damage;
+                    }
+                }
+                Some(Tear::Broken(damage)) => {
+                    if let Some(row) = distances.get_mut(tearable.id.0) {
+                        (row.damage, row.enabled) = (damage, false);
+                    }
+                    broken.push((tearable.id, ends));
+                }
+            }
+        }
+        for &(distance, _) in &broken {
+            self.report(EventKind::Broken { distance });
+        }
+        if !broken.is_empty() {
+            self.open_faces(&broken);
+        }
+    }
+
+    /// Disables the faces along broken distances.
+    fn open_faces(&mut self, broken: &[(DistanceId, [ParticleId; 2])]) {
+        let edges: BTreeSet<_> = broken.iter().map(|&(_, [a, b])| [a.min(b), a.max(b)]).collect();
+        let along = |face: &Face| face.edges().iter().any(|edge| edges.contains(edge));
+        let open: Vec<_> = self
+            .faces()
+            .filter(|(_, face)| face.enabled && along(face))
+            .map(|(id, _)| id)
+            .collect();
+        for id in open {
+            if let Some(face) = self.state.faces.get_mut(id.0) {
+                face.enabled = false;
+            }
+        }
     }
 
     fn end(&mut self) {

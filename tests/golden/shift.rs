@@ -12,7 +12,7 @@ use crate::support::fixture::{EMULATED, Fixture};
 const AT_THE_LIMIT: [&str; 1] = ["overflow"];
 
 /// Scenes of thousands of particles.
-const LARGE: [&str; 2] = ["cloud", "net"];
+const LARGE: [&str; 3] = ["cloud", "cloth100", "net"];
 
 /// Raw: the least step, 10^9 m and odd, and most of the way to the limit.
 const SHIFTS: [[i64; 3]; 3] =

@@ -1,7 +1,8 @@
 //! Files that were typed by hand from `FORMAT.md`: writer and reader cannot share a mistake.
 
-use verlock::constraint::{Distance, DistanceForm, HalfSpace};
-use verlock::math::Unit;
+use verlock::body::Face;
+use verlock::constraint::{Distance, DistanceForm, HalfSpace, Volume};
+use verlock::math::{Factor, Unit};
 use verlock::particle::ParticleSpec;
 use verlock::replay::{Recorder, Replay, verify};
 use verlock::world::{Action, Command, ObjectId, World, WorldBuilder, WorldConfig};
@@ -26,6 +27,7 @@ fn builder() -> WorldBuilder {
         gravity: Vec3::ZERO,
         damping: Real::ZERO,
         displacement_max: Real::ONE,
+        wind: Vec3::ZERO,
     };
     WorldBuilder::new(config).expect("a good configuration")
 }
@@ -38,17 +40,32 @@ fn world() -> World {
     let at = Vec3::new(real!("3"), Real::ZERO, Real::ZERO);
     let velocity = Vec3::new(real!("0.5"), Real::ZERO, Real::ZERO);
     let moving = ParticleSpec::at(at).velocity(velocity).mass(real!("2.5"));
-    for spec in [pin, moving, ParticleSpec::at(Vec3::Z)] {
+    let still = ParticleSpec::at(Vec3::Z).pinned();
+    for spec in [pin, moving, ParticleSpec::at(Vec3::Z), still, still] {
         builder.particle(&spec).expect("a good particle");
     }
     let link = Distance {
+        slack: real!("0.5"),
         stiffness: Unit::from_raw(1 << 28),
-        form: DistanceForm::Exact,
+        compliance: Unit::from_raw(1 << 20),
+        form: DistanceForm::DivisionFree,
+        tear_strain: Factor::from_raw(3 << 14),
+        toughness: Factor::from_raw(1 << 18),
+        damage: Factor::from_raw(1 << 15),
         enabled: false,
         user: u64::MAX,
         ..Distance::new(particle(0), particle(1), real!("2"))
     };
     builder.distance(&link).expect("a good distance");
+    let mut faces = [Face::new([0, 1, 2].map(particle)); 2];
+    faces[1] =
+        Face { drag: Factor::from_raw(5 << 15), user: 7, ..Face::new([0, 3, 4].map(particle)) };
+    for face in &faces {
+        builder.face(face).expect("a good face");
+    }
+    let corners = [0, 1, 3, 4].map(particle);
+    let volume = Volume { enabled: false, ..Volume::new(corners, real!("-1.5")) };
+    builder.volume(&volume).expect("a good volume");
     let floor = HalfSpace {
         point: Vec3::new(Real::ZERO, real!("-4"), Real::ZERO),
         restitution: Unit::from_raw(3 << 28),

@@ -71,7 +71,7 @@ macro_rules! for_each_number {
     };
 }
 
-/// The exact value of `[+-]digits[.digits]` as a fraction, by big integers.
+/// The exact value of `[+-]digits[.[digits]]` as a fraction, by big integers.
 fn rational(text: &str) -> (BigInt, BigInt) {
     let text = text.replace('_', "");
     let places = text.split_once('.').map_or(0, |(_, digits)| digits.len());
@@ -82,6 +82,17 @@ fn check_decimal<N: Number>(text: &str) {
     let (n, d) = rational(text);
     let expected = N::expect(&nearest(&(n << N::BITS), &d)).ok_or(DecimalError::OutOfRange);
     assert_eq!(text.parse::<N>(), expected, "{text}");
+}
+
+/// An exponent moves the point: the oracle multiplies by the power of ten.
+fn check_scientific(digits: &str, exponent: i32) {
+    let (n, d) = rational(digits);
+    let power = big(10).pow(exponent.unsigned_abs());
+    let (n, d) = if exponent < 0 { (n, d * power) } else { (n * power, d) };
+    let expected = Real::expect(&nearest(&(n << Real::BITS), &d)).ok_or(DecimalError::OutOfRange);
+    for text in [format!("{digits}e{exponent}"), format!("{digits}E{exponent:+04}")] {
+        assert_eq!(Real::parse_scientific(&text), expected, "{text}");
+    }
 }
 
 /// Prints, reads back, and proves that one place fewer would not do.
@@ -179,6 +190,23 @@ proptest! {
     }
 
     #[test]
+    fn exponents_move_the_point(
+        digits in "[+-]?[0-9]{1,14}(\\.[0-9]{0,40})?", exponent in -60..30_i32,
+        raw in any_i64(), zeros in 0..40_usize, nudge in -1..=1_i64, moved in -20..20_i32,
+    ) {
+        check_scientific(&digits, exponent);
+        // Around a tie, written with the point elsewhere.
+        let tie = near_tie(raw, Real::BITS, zeros, nudge);
+        let (sign, tie) = tie.split_at(usize::from(tie.starts_with('-')));
+        let point = tie.find('.').unwrap().strict_add_signed(20 + moved as isize);
+        let digits = format!("{}{}{}", "0".repeat(20), tie.replace('.', ""), "0".repeat(20));
+        let (whole, fraction) = digits.split_at(point);
+        check_scientific(&format!("{sign}{whole}.{fraction}"), -moved);
+        prop_assert_eq!(Real::parse_scientific(&format!("{sign}{tie}")),
+            Real::parse(&format!("{sign}{tie}")));
+    }
+
+    #[test]
     fn numbers_print_the_shortest_decimal(raw in any_i64()) {
         for_each_number!(check_display(raw));
     }
@@ -273,6 +301,47 @@ fn what_is_no_decimal_is_refused_where_it_stops_being_one() {
         assert_eq!(Unit::parse(text), Err(error), "{text:?}");
     }
     assert_eq!(at(1, b'e').to_string(), "unexpected byte 'e' at offset 1");
+}
+
+#[test]
+fn decimals_of_other_programs_are_read_as_they_print_them() {
+    let long = format!("0.{}1e1001", "0".repeat(999));
+    for (text, plain) in [
+        (".5", "0.5"),
+        ("-5.", "-5"),
+        ("+.25E1", "2.5"),
+        ("0.000000e+00", "0"),
+        ("-1e-05", "-0.00001"),
+        ("1e-400", "0"),
+        ("0e99999999999999999999", "0"),
+        ("1e-99999999999999999999", "0"),
+        ("5497558138.8799999994E2", "549755813887.99999994"),
+        (&long, "10"),
+    ] {
+        assert_eq!(Real::parse_scientific(text), Real::parse(plain), "{text}");
+    }
+    let at = |offset, byte| DecimalError::UnexpectedByte { offset, byte };
+    for (text, error) in [
+        ("", DecimalError::Empty),
+        ("-", DecimalError::Empty),
+        ("+.", DecimalError::Empty),
+        (".e5", at(1, b'e')),
+        ("1e", at(1, b'e')),
+        ("1.e+", at(2, b'e')),
+        ("1e5.", at(3, b'.')),
+        ("1e5e5", at(3, b'e')),
+        ("1_0", at(1, b'_')),
+        ("1,5", at(1, b',')),
+        ("--1", at(1, b'-')),
+        ("1 ", at(1, b' ')),
+        ("0x10", at(1, b'x')),
+        ("nan", at(0, b'n')),
+        ("-inf", at(1, b'i')),
+        ("1e12", DecimalError::OutOfRange),
+        ("-1e99999999999999999999", DecimalError::OutOfRange),
+    ] {
+        assert_eq!(Real::parse_scientific(text), Err(error), "{text:?}");
+    }
 }
 
 #[test]

@@ -65,7 +65,7 @@ impl Simulation for Game {
     }
 }
 
-fn record() -> Recorder<Game> {
+pub(super) fn record() -> Recorder<impl Simulation> {
     let mut recorder = Recorder::new(Game { score: 0, world: small() }, 4);
     for tick in 0..10 {
         let stick = |player: u8| Stick { player, sideways: 3 - tick, fire: tick % 2 == 0 };

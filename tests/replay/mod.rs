@@ -1,7 +1,11 @@
 //! Floor 10: recordings.
 
+mod bisect;
 mod damage;
+mod faults;
 mod game;
+mod hash_log;
+mod heavy;
 mod seek;
 
 use verlock::particle::ParticleSpec;
@@ -88,6 +92,30 @@ fn a_recording_can_go_on() {
     assert!(recorder.replay() == record(9, 3).replay());
     let world = recorder.into_simulation();
     assert_eq!(world.tick(), 11);
+}
+
+/// A state can be kept at any recorded tick, now or later; it is not kept twice.
+#[test]
+fn keyframes_are_kept_on_request() {
+    let mut recorder = record(4, 3);
+    let early = recorder.simulation().clone();
+    recorder.step(&commands(6));
+    recorder.step(&commands(7));
+    recorder.keyframe();
+    recorder.keyframe(); // the one of the interval, once more
+    assert!(recorder.keyframe_of(&early) && recorder.keyframe_of(&small()));
+    let mut late = recorder.simulation().clone();
+    late.step(&[]);
+    assert!(!recorder.keyframe_of(&late), "not recorded yet");
+    let bytes = recorder.replay();
+    let replay = Replay::parse(&bytes).expect("a sound replay");
+    assert_eq!(replay.keyframe_ticks().collect::<Vec<_>>(), [5, 6, 8]);
+    assert_eq!(replay.stored_ticks().collect::<Vec<_>>(), [2, 5, 6, 8]);
+    assert_eq!(replay.stored_bytes(2), Some(&small().save()[..]));
+    assert_eq!(replay.stored_bytes(6), Some(&early.save()[..]));
+    assert_eq!((replay.stored_bytes(1), replay.stored_bytes(7)), (None, None));
+    assert_eq!(verify::<World>(&replay, |_| ()), Ok(()));
+    assert!(!Recorder::new(early, 0).keyframe_of(&late));
 }
 
 /// Nothing recorded is nothing proven.

@@ -5,8 +5,8 @@ use verlock::snapshot::{Difference, Snapshot, Values, diff};
 use verlock::world::{Action, ObjectId};
 use verlock::{Real, Vec3, real};
 
-use super::field::Spot;
 use crate::support::container::Parts;
+use crate::support::spot::Spot;
 use crate::support::worlds::{command, distance, other, particle, small};
 
 fn texts(a: &[u8], b: &[u8]) -> Vec<String> {
@@ -67,10 +67,10 @@ fn different_counts_are_named() {
     let about = |start: &str| texts.iter().filter(|line| line.starts_with(start)).count();
     let ticks = "(raw 0x0000000000000002 against 0x0000000000000001)";
     assert_eq!(about(&format!("world 0 tick: 2 against 1 {ticks}")), 1);
-    assert_eq!(about("particle-slot: 5 records against 40"), 1);
+    assert_eq!(about("particle-slot: 6 records against 40"), 1);
     assert_eq!(about("distance: 3 records against 39"), 1);
     assert_eq!(about("half-space: 2 records against 0"), 1);
     assert_eq!(about("particle 4 mass: "), 0, "both have 1 there");
     assert_eq!(about("position 4 z: "), 1);
-    assert_eq!(about("position 5 "), 0, "only one of them has it");
+    assert_eq!(about("position 6 "), 0, "only one of them has it");
 }

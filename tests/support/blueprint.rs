@@ -1,6 +1,7 @@
 //! A world as a list of parts, which can be looked at and transformed before it is built.
 
-use verlock::constraint::{Distance, HalfSpace};
+use verlock::body::Face;
+use verlock::constraint::{Distance, HalfSpace, Volume};
 use verlock::particle::{ParticleId, ParticleSpec};
 use verlock::store::Handle;
 use verlock::world::{Action, Command, EventKind};
@@ -13,6 +14,8 @@ pub struct Blueprint {
     pub particles: Vec<ParticleSpec>,
     pub distances: Vec<Distance>,
     pub half_spaces: Vec<HalfSpace>,
+    pub volumes: Vec<Volume>,
+    pub faces: Vec<Face>,
     /// Commands and the ticks they are for.
     pub script: Vec<(u64, Command)>,
 }
@@ -23,7 +26,7 @@ impl Blueprint {
     }
 
     pub fn build(&self) -> World {
-        let Self { config, particles, distances, half_spaces, script: _ } = self;
+        let Self { config, particles, distances, half_spaces, volumes, faces, script: _ } = self;
         let mut builder = WorldBuilder::new(*config).expect("the configuration is valid");
         for particle in particles {
             builder.particle(particle).expect("the particle is valid");
@@ -33,6 +36,12 @@ impl Blueprint {
         }
         for half_space in half_spaces {
             builder.half_space(half_space).expect("the half-space is valid");
+        }
+        for volume in volumes {
+            builder.volume(volume).expect("the volume is valid");
+        }
+        for face in faces {
+            builder.face(face).expect("the face is valid");
         }
         builder.build()
     }

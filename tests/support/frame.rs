@@ -1,7 +1,7 @@
 //! Changes of the frame of reference under which the laws do not change.
 
 use verlock::WorldConfig;
-use verlock::constraint::HalfSpace;
+use verlock::constraint::{HalfSpace, Volume};
 use verlock::math::{Unit, UnitVec3, Vec3};
 use verlock::particle::{Particle, ParticleSpec};
 use verlock::world::{Action, Command};
@@ -62,7 +62,8 @@ impl Frame {
     }
 
     fn config(&self, config: &WorldConfig) -> WorldConfig {
-        WorldConfig { gravity: self.vector(config.gravity), ..*config }
+        let (gravity, wind) = (self.vector(config.gravity), self.vector(config.wind));
+        WorldConfig { gravity, wind, ..*config }
     }
 
     fn particle(&self, spec: &ParticleSpec) -> ParticleSpec {
@@ -77,6 +78,14 @@ impl Frame {
     fn half_space(&self, shape: &HalfSpace) -> HalfSpace {
         let (point, normal) = (self.point(shape.point), self.normal(shape.normal));
         HalfSpace { point, normal, ..*shape }
+    }
+
+    /// A mirror turns a volume inside out: its sign is that of the frame.
+    fn volume(&self, volume: &Volume) -> Volume {
+        let images = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| self.vector(axis));
+        let upright = images[0].cross(images[1]) == Some(images[2]);
+        let rest_volume = if upright { volume.rest_volume } else { -volume.rest_volume };
+        Volume { rest_volume, ..*volume }
     }
 
     fn action(&self, action: Action) -> Action {
@@ -105,6 +114,10 @@ impl Frame {
             Action::Teleport { particle, position } => {
                 Action::Teleport { particle, position: self.point(position) }
             }
+            Action::SpawnVolume { token, volume } => {
+                Action::SpawnVolume { token, volume: self.volume(&volume) }
+            }
+            Action::SetWind { wind } => Action::SetWind { wind: self.vector(wind) },
             Action::Configure { config } => Action::Configure { config: self.config(&config) },
             scalar => scalar,
         }
@@ -112,7 +125,8 @@ impl Frame {
 
     /// The same world as it looks in this frame.
     pub fn blueprint(&self, blueprint: &Blueprint) -> Blueprint {
-        let Blueprint { config, particles, distances, half_spaces, script } = blueprint;
+        let Blueprint { config, particles, distances, half_spaces, volumes, faces, script } =
+            blueprint;
         let seen = |(tick, command): &(u64, Command)| {
             (*tick, Command { action: self.action(command.action), ..*command })
         };
@@ -121,6 +135,8 @@ impl Frame {
             particles: particles.iter().map(|spec| self.particle(spec)).collect(),
             distances: distances.clone(),
             half_spaces: half_spaces.iter().map(|shape| self.half_space(shape)).collect(),
+            volumes: volumes.iter().map(|volume| self.volume(volume)).collect(),
+            faces: faces.clone(),
             script: script.iter().map(seen).collect(),
         }
     }

@@ -10,5 +10,6 @@ pub mod float;
 pub mod frame;
 pub mod momentum;
 pub mod random;
+pub mod spot;
 pub mod twin;
 pub mod worlds;

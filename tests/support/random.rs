@@ -1,7 +1,10 @@
 //! Random worlds: of everyday size, or made of the ends of every range.
 
 use verlock::WorldConfig;
-use verlock::constraint::{Distance, DistanceForm, HalfSpace};
+use verlock::body::{Face, FaceId};
+use verlock::constraint::{
+    Distance, DistanceForm, DistanceId, HalfSpace, HalfSpaceId, Volume, VolumeId,
+};
 use verlock::math::{Factor, Pcg, Real, Unit, UnitVec3, Vec3};
 use verlock::particle::{Particle, ParticleId, ParticleSpec, WORLD_LIMIT};
 use verlock::real;
@@ -10,13 +13,23 @@ use verlock::world::{Action, Command, ObjectId};
 
 use super::blueprint::{Blueprint, first};
 
-/// How much a random world holds. Shrinks well.
+/// How much a random world holds; volumes and faces in proportion to links. Shrinks well.
 #[derive(Clone, Copy, Debug)]
 pub struct Size {
     pub particles: u32,
     pub links: u32,
     pub walls: u32,
     pub ticks: u32,
+}
+
+impl Size {
+    fn volumes(&self) -> u32 {
+        if self.particles < 4 { 0 } else { self.links / 4 }
+    }
+
+    fn faces(&self) -> u32 {
+        if self.particles < 3 { 0 } else { self.links / 3 }
+    }
 }
 
 /// A few metres, everyday masses and speeds, every kind of object and command.
@@ -27,9 +40,11 @@ pub fn everyday(seed: u64, size: Size) -> Blueprint {
     blueprint.particles = (0..size.particles).map(|_| draw.particle()).collect();
     blueprint.distances = (0..size.links).map(|_| draw.link(size.particles)).collect();
     blueprint.half_spaces = (0..size.walls).map(|_| draw.wall()).collect();
+    blueprint.volumes = (0..size.volumes()).map(|_| draw.volume(size.particles)).collect();
+    blueprint.faces = (0..size.faces()).map(|_| draw.face(size.particles)).collect();
     for sequence in 0..size.ticks {
         let tick = u64::from(draw.below(size.ticks));
-        let action = draw.action(size.particles);
+        let action = draw.action(size);
         let player = draw.below(3);
         blueprint.script.push((tick, Command { player, sequence, action }));
     }
@@ -47,6 +62,7 @@ pub fn hostile(seed: u64, size: Size) -> Blueprint {
         gravity: draw.corner(WorldConfig::GRAVITY_MAX.raw()),
         damping: draw.one_of(&[Real::ZERO, Real::ONE]),
         displacement_max: draw.one_of(&[Real::ULP, Real::ONE, WorldConfig::DISPLACEMENT_MAX]),
+        wind: draw.corner(WorldConfig::WIND_MAX.raw()),
     };
     let mut blueprint = Blueprint { config, ..Blueprint::default() };
     let rate = i64::from(config.tick_rate * config.substeps);
@@ -57,11 +73,25 @@ pub fn hostile(seed: u64, size: Size) -> Blueprint {
         let spoke = 1 + link % (size.particles - 1);
         let lengths = [Real::ULP, Real::ONE, real!("64"), Distance::REST_LENGTH_MAX];
         let stiffness = draw.one_of(&[Unit::ONE, Unit::ONE, Unit::from_raw(1)]);
-        blueprint.distances.push(
-            Distance::new(first(0), first(spoke), draw.one_of(&lengths))
+        let rest_length = draw.one_of(&lengths);
+        blueprint.distances.push(Distance {
+            slack: draw.one_of(&[Real::ZERO, Real::ZERO, Real::ULP, rest_length]),
+            compliance: draw.one_of(&[Unit::ZERO, Unit::ZERO, Unit::from_raw(1), Unit::ONE]),
+            tear_strain: draw.one_of(&[Factor::ZERO, Factor::from_raw(i32::MAX)]),
+            ..Distance::new(first(0), first(spoke), rest_length)
                 .form(draw.form())
-                .stiffness(stiffness),
-        );
+                .stiffness(stiffness)
+        });
+    }
+    for _ in 0..size.volumes() {
+        let litres = draw.one_of(&[-Volume::REST_VOLUME_MAX, Real::ULP, Volume::REST_VOLUME_MAX]);
+        let stiffness = draw.one_of(&[Unit::ONE, Unit::from_raw(1)]);
+        let corners = draw.corners(size.particles);
+        blueprint.volumes.push(Volume::new(corners, litres).stiffness(stiffness));
+    }
+    for _ in 0..size.faces() {
+        let drag = draw.one_of(&[Face::DRAG_MAX, Factor::from_raw(1)]);
+        blueprint.faces.push(Face::new(draw.corners(size.particles)).drag(drag));
     }
     for _ in 0..size.walls {
         blueprint.half_spaces.push(HalfSpace {
@@ -78,6 +108,14 @@ pub fn hostile(seed: u64, size: Size) -> Blueprint {
     }
     blueprint
 }
+
+/// Every form of a distance.
+pub const FORMS: [DistanceForm; 4] = [
+    DistanceForm::Exact,
+    DistanceForm::StartOfStep,
+    DistanceForm::RootFree,
+    DistanceForm::DivisionFree,
+];
 
 struct Draw(Pcg);
 
@@ -109,7 +147,7 @@ impl Draw {
     }
 
     fn form(&mut self) -> DistanceForm {
-        self.one_of(&[DistanceForm::Exact, DistanceForm::StartOfStep])
+        self.one_of(&FORMS)
     }
 
     fn factor(&mut self, lo: i32, hi: i32) -> Factor {
@@ -129,6 +167,7 @@ impl Draw {
             gravity: self.vector(real!("10")),
             damping: self.one_of(&[Real::ZERO, real!("0.1"), real!("5")]),
             displacement_max: self.one_of(&[WorldConfig::DISPLACEMENT_MAX, real!("0.1")]),
+            wind: self.vector(real!("8")),
         }
     }
 
@@ -150,9 +189,56 @@ impl Draw {
     fn link(&mut self, particles: u32) -> Distance {
         let a = self.below(particles);
         let b = (a + 1 + self.below(particles - 1)) % particles;
-        Distance::new(first(a), first(b), self.real(real!("0.5"), real!("3")))
-            .form(self.form())
-            .stiffness(if self.chance(50) { Unit::ONE } else { self.unit() })
+        let rest_length = self.real(real!("0.5"), real!("3"));
+        let soft = Unit::from_raw(self.below(1 << 22).cast_signed()); // to 4 mm/N
+        let part = self.real(Real::ULP, rest_length);
+        let strain = self.factor(1, 1 << 15);
+        Distance {
+            slack: self.one_of(&[Real::ZERO, Real::ZERO, rest_length, part]),
+            compliance: self.one_of(&[Unit::ZERO, Unit::ZERO, soft]),
+            tear_strain: self.one_of(&[Factor::ZERO, Factor::ZERO, strain]),
+            toughness: self.one_of(&[Factor::ZERO, Factor::ONE]),
+            ..Distance::new(first(a), first(b), rest_length)
+                .form(self.form())
+                .stiffness(if self.chance(50) { Unit::ONE } else { self.unit() })
+        }
+    }
+
+    /// Different particles.
+    fn corners<const N: usize>(&mut self, particles: u32) -> [ParticleId; N] {
+        let mut drawn: [u32; N] = [0; N];
+        for k in 0..N {
+            let mut slot = self.below(particles);
+            while drawn[..k].contains(&slot) {
+                slot = (slot + 1) % particles;
+            }
+            drawn[k] = slot;
+        }
+        drawn.map(first)
+    }
+
+    fn volume(&mut self, particles: u32) -> Volume {
+        let litres = self.real(real!("-3000"), real!("3000"));
+        Volume::new(self.corners(particles), litres).stiffness(self.unit())
+    }
+
+    fn face(&mut self, particles: u32) -> Face {
+        let face = Face::new(self.corners(particles)).drag(self.factor(0, 4 << 16));
+        Face { enabled: !self.chance(5), ..face }
+    }
+
+    /// Any kind of object; some ids are stale.
+    fn object(&mut self, size: Size) -> ObjectId {
+        let kinds = [size.particles, size.links, size.walls, size.volumes(), size.faces()];
+        let kind = self.below(5);
+        let id = Handle::new(self.below(kinds[kind as usize] + 1), 1);
+        match kind {
+            0 => ObjectId::Particle(ParticleId(id)),
+            1 => ObjectId::Distance(DistanceId(id)),
+            2 => ObjectId::HalfSpace(HalfSpaceId(id)),
+            3 => ObjectId::Volume(VolumeId(id)),
+            _ => ObjectId::Face(FaceId(id)),
+        }
     }
 
     fn wall(&mut self) -> HalfSpace {
@@ -168,10 +254,10 @@ impl Draw {
         }
     }
 
-    fn action(&mut self, particles: u32) -> Action {
+    fn action(&mut self, size: Size) -> Action {
         // One more than there are: some ids are stale.
-        let particle = first(self.below(particles + 1));
-        match self.below(14) {
+        let particle = first(self.below(size.particles + 1));
+        match self.below(18) {
             0 => Action::Force { particle, force: self.vector(real!("100")) },
             1 => Action::Impulse { particle, impulse: self.vector(real!("3")) },
             2 => Action::SetVelocity { particle, velocity: self.vector(real!("3")) },
@@ -181,13 +267,21 @@ impl Draw {
             6 => Action::SetPinned { particle, pinned: self.chance(50) },
             7 => Action::MovePin { particle, target: self.vector(real!("2")) },
             8 => Action::Teleport { particle, position: self.vector(real!("2")) },
-            9 => {
-                let (object, enabled) = (ObjectId::Particle(particle), self.chance(50));
-                Action::SetEnabled { object, enabled }
-            }
+            9 => Action::SetEnabled { object: self.object(size), enabled: self.chance(50) },
             10 => Action::SpawnParticle { token: 0, spec: self.particle() },
-            11 => Action::SpawnDistance { token: 1, distance: self.link(particles) },
-            12 => Action::Remove { object: ObjectId::Particle(particle) },
+            11 => Action::SpawnDistance { token: 1, distance: self.link(size.particles) },
+            12 => Action::Remove { object: self.object(size) },
+            13 if size.volumes() > 0 => {
+                Action::SpawnVolume { token: 2, volume: self.volume(size.particles) }
+            }
+            14 if size.faces() > 0 => {
+                Action::SpawnFace { token: 3, face: self.face(size.particles) }
+            }
+            15 => Action::SetWind { wind: self.vector(real!("12")) },
+            16 => {
+                let distance = DistanceId(Handle::new(self.below(size.links + 1), 1));
+                Action::SetRestLength { distance, rest_length: self.real(Real::ULP, real!("3")) }
+            }
             _ => Action::Configure { config: self.config() },
         }
     }

@@ -3,7 +3,7 @@
 use super::source::{absolute, files, has_extension, is_word, places, read};
 
 /// Folders of `fixtures/` of which a test reads every file.
-const WALKED: [&str; 4] = ["predicates", "refused", "replays", "scenes"];
+const WALKED: [&str; 5] = ["meshes", "predicates", "refused", "replays", "scenes"];
 
 /// The texts of a document that are set as code: its inline code, and the lines of its fences.
 struct Code<'a> {

@@ -65,7 +65,7 @@ impl Mesh {
 }
 
 /// The same cloth as a world.
-pub fn world(mesh: &Mesh) -> World {
+pub fn world(mesh: &Mesh, form: DistanceForm) -> World {
     let config = WorldConfig { substeps: 1, iterations: ITERATIONS, ..WorldConfig::default() };
     let mut builder = WorldBuilder::new(config).expect("the configuration is valid");
     let real = |value: f64| Real::from_f64(value).expect("a small number");
@@ -78,8 +78,18 @@ pub fn world(mesh: &Mesh) -> World {
     }
     for link in &mesh.links {
         let [a, b] = link.map(|end| ids[end]);
-        let rod = Distance::new(a, b, real(mesh.length(*link))).form(DistanceForm::Exact);
+        let rod = Distance::new(a, b, real(mesh.length(*link))).form(form);
         builder.distance(&rod).expect("there is room");
     }
     builder.build()
+}
+
+/// The root mean square of the strains of all links.
+pub fn residual(world: &World) -> f64 {
+    let strain = |distance: &Distance| {
+        let [a, b] = [distance.a, distance.b].map(|end| world.position(end).expect("alive"));
+        a.distance(b).to_f64() / distance.rest_length.to_f64() - 1.0
+    };
+    let squares: Vec<_> = world.distances().map(|(_, link)| strain(link).powi(2)).collect();
+    (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
 }

@@ -7,14 +7,17 @@ use verlock::SIM_VERSION;
 use verlock::replay::Replay;
 use verlock::snapshot::Snapshot;
 
+use crate::bisect::Bisect;
 use crate::completions::Completions;
 use crate::diff::Diff;
 use crate::dump::Dump;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::hash::Hash;
+use crate::heavy::Heavy;
 use crate::info::Info;
 use crate::man::Man;
+use crate::render::Render;
 use crate::run::Run;
 use crate::verify::Verify;
 
@@ -43,10 +46,13 @@ Exit codes:
 pub(crate) enum Command {
     Run(Run),
     Verify(Verify),
+    Heavy(Heavy),
     Info(Info),
     Hash(Hash),
+    Bisect(Bisect),
     Diff(Diff),
     Dump(Dump),
+    Render(Render),
     Completions(Completions),
     Man(Man),
 }
@@ -56,10 +62,13 @@ impl Command {
         match self {
             Self::Run(run) => run.execute(limit, out),
             Self::Verify(verify) => verify.execute(limit, out),
+            Self::Heavy(heavy) => heavy.execute(limit, out),
             Self::Info(info) => info.execute(limit, out),
             Self::Hash(hash) => hash.execute(limit, out),
+            Self::Bisect(bisect) => bisect.execute(limit, out),
             Self::Diff(diff) => diff.execute(limit, out),
             Self::Dump(dump) => dump.execute(limit, out),
+            Self::Render(render) => render.execute(limit, out),
             Self::Completions(completions) => completions.execute(out),
             Self::Man(man) => man.execute(out),
         }

@@ -9,7 +9,7 @@ use verlock::scene::Scene;
 
 use crate::exit::Exit;
 use crate::input::Input;
-use crate::state::world_at;
+use crate::state::State;
 use crate::verdict::Verdict;
 
 const SCENE: &str = "(
@@ -46,7 +46,7 @@ fn cuts(bytes: &[u8]) -> impl Iterator<Item = Vec<u8>> {
 
 fn is_unproven(bytes: Vec<u8>) -> bool {
     let input = Input::new("damaged".into(), bytes);
-    world_at(&input, None).is_err_and(|failure| failure.exit() == Exit::Unproven)
+    State::at(&input, None).is_err_and(|failure| failure.exit() == Exit::Unproven)
 }
 
 /// A replay with a flipped bit, cut or with a byte too many proves nothing.

@@ -1,23 +1,29 @@
 //! `verlock diff`: what differs between two states.
 
+use std::collections::BTreeSet;
 use std::io::Write;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use serde_json::{Value, json};
-use verlock::replay::Replay;
-use verlock::snapshot::{Difference, Snapshot, diff};
+use verlock::replay::{Bisection, Parting, Replay, bisect_replays};
+use verlock::snapshot::{Difference, diff};
 
 use crate::count::counted;
 use crate::exit::Exit;
 use crate::failure::{Failure, tell};
-use crate::input::{Input, Kind, is_dash};
+use crate::input::{Input, Kind};
 use crate::json;
-use crate::state::{end, recorded_hash, world_at};
+use crate::recording::recorded;
+use crate::state::{Origin, State, recorded_hash, span};
 
 /// Compare two states field by field
 ///
-/// Prints every object and field that differs, with both values and their bits. Of two replays,
-/// the first tick with different recorded hashes is compared. Returns 1 if anything differs.
+/// Prints every object and field that differs, with both values and their bits. Of two recordings,
+/// the first tick with different hashes is compared: its stored states where there are any, what
+/// stepping gives otherwise. Where that has not the recorded hash, the recording machine's own
+/// state is not in the file, and the first later one that is known is compared. Returns 1 if
+/// anything differs.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Diff {
     /// Snapshot, replay or scene
@@ -43,111 +49,183 @@ pub(crate) struct Diff {
 #[derive(Default)]
 struct Choice {
     tick: Option<u64>,
+    /// Why not those of another tick.
+    note: Option<String>,
     /// How two recordings differ, be it only in what they recorded.
     recordings: Option<String>,
 }
 
 /// Two states compared.
 struct Comparison {
-    ticks: [u64; 2],
-    hashes: [String; 2],
+    tick: [u64; 2],
+    states: [State; 2],
     differences: Vec<Difference>,
     /// Of them and those that were too many to keep.
     count: u64,
+    /// What must be known to read them.
+    notes: Vec<String>,
+    exit: Exit,
 }
 
 impl Diff {
     pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
-        if is_dash(&self.a) && is_dash(&self.b) {
-            return Err(Failure::usage("only one of two files can be stdin"));
-        }
-        let a = Input::read(&self.a, limit)?;
-        let b = Input::read(&self.b, limit)?;
-        let choice = match self.tick {
-            Some(tick) => Choice { tick: Some(tick), ..Choice::default() },
-            None => Choice::of(&a, &b)?,
+        let files = Input::read_two(&self.a, &self.b, limit)?;
+        let (files, choice) = match self.tick {
+            Some(tick) => (files, Choice { tick: Some(tick), ..Choice::default() }),
+            None => choose(files)?,
         };
-        let comparison = self.compare(&a, &b, choice.tick)?;
-        self.print(&comparison, out)?;
-        let equal = comparison.hashes[0] == comparison.hashes[1];
-        if let Some(why) = choice.recordings.filter(|_| equal) {
-            tell(format_args!("the recordings differ, though not this state: {why}"));
-            return Ok(Exit::Different);
-        }
-        Ok(if equal { Exit::Fine } else { Exit::Different })
-    }
-
-    fn compare(&self, a: &Input, b: &Input, tick: Option<u64>) -> Result<Comparison, Failure> {
-        let save = |input| world_at(input, tick).map(|world| world.save());
-        let bytes = [save(a)?, save(b)?];
-        let parse =
-            |input: &Input, bytes| Snapshot::parse(bytes).map_err(|error| input.unproven(error));
-        let (a, b) = (parse(a, &bytes[0])?, parse(b, &bytes[1])?);
-        let mut all = diff(&a, &b);
-        let differences: Vec<_> = all.by_ref().take(self.max).collect();
-        Ok(Comparison {
-            ticks: [a.tick(), b.tick()],
-            hashes: [a.hash().to_string(), b.hash().to_string()],
-            count: differences.len() as u64 + all.count() as u64,
-            differences,
-        })
-    }
-
-    fn print(&self, comparison: &Comparison, out: &mut dyn Write) -> Result<(), Failure> {
-        let Comparison { ticks, hashes: [a, b], differences, count } = comparison;
+        let comparison = self.compare(&files, choice)?;
+        comparison.notes.iter().for_each(tell);
         if self.json {
             writeln!(out, "{:#}", comparison.json())?;
-        } else if a == b {
-            writeln!(out, "equal at tick {}: {a}", ticks[0])?;
         } else {
-            writeln!(
-                out,
-                "{} at tick {}: {a} against {b}",
-                counted(*count, "difference"),
-                ticks[0]
-            )?;
-            differences.iter().try_for_each(|difference| writeln!(out, "{difference}"))?;
+            comparison.print(out)?;
         }
-        Ok(())
+        Ok(comparison.exit)
+    }
+
+    fn compare(&self, [a, b]: &[Input; 2], choice: Choice) -> Result<Comparison, Failure> {
+        let states = [State::at(a, choice.tick)?, State::at(b, choice.tick)?];
+        let parsed = (states[0].snapshot(a)?, states[1].snapshot(b)?);
+        let tick = [parsed.0.tick(), parsed.1.tick()];
+        let mut all = diff(&parsed.0, &parsed.1);
+        let differences: Vec<_> = all.by_ref().take(self.max).collect();
+        let count = differences.len() as u64 + all.count() as u64;
+        let mut notes: Vec<_> = choice.note.into_iter().collect();
+        notes.extend(states[0].note(a, tick[0]));
+        notes.extend(states[1].note(b, tick[1]));
+        let equal = states[0].hash() == states[1].hash();
+        if let Some(why) = choice.recordings.as_ref().filter(|_| equal) {
+            notes.push(format!("the recordings differ, though not this state: {why}"));
+        }
+        let fine = equal && choice.recordings.is_none();
+        let exit = if fine { Exit::Fine } else { Exit::Different };
+        Ok(Comparison { tick, states, differences, count, notes, exit })
     }
 }
 
 impl Comparison {
+    fn print(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let [a, b] = self.states.each_ref().map(State::hash);
+        let tick = self.tick[0];
+        if a == b {
+            writeln!(out, "equal at tick {tick}: {a}")?;
+            return Ok(());
+        }
+        writeln!(out, "{} at tick {tick}: {a} against {b}", counted(self.count, "difference"))?;
+        Ok(self.differences.iter().try_for_each(|difference| writeln!(out, "{difference}"))?)
+    }
+
     fn json(&self) -> Value {
-        let Self { ticks, hashes, differences, count } = self;
+        let Self { tick, states, differences, count, notes, exit: _ } = self;
+        let origin = |state: &State| match state.origin() {
+            Origin::Stored => "stored",
+            Origin::Stepped => "stepped",
+        };
         json!({
-            "ticks": ticks,
-            "hashes": hashes,
+            "ticks": tick,
+            "hashes": states.each_ref().map(|state| state.hash().to_string()),
+            "origins": states.each_ref().map(origin),
+            "as_recorded": states.each_ref().map(State::is_as_recorded),
+            "notes": notes,
             "count": count,
             "differences": differences.iter().map(json::difference).collect::<Vec<_>>(),
         })
     }
 }
 
+/// Chooses the states to compare; scenes are recorded if that is needed to know.
+fn choose(files: [Input; 2]) -> Result<([Input; 2], Choice), Failure> {
+    if let (Kind::Snapshot(snapshot), _) | (_, Kind::Snapshot(snapshot)) =
+        (files[0].open()?, files[1].open()?)
+    {
+        let choice = Choice { tick: Some(snapshot.tick()), ..Choice::default() };
+        return Ok((files, choice));
+    }
+    let files = recorded(files)?;
+    let [a, b] = &files;
+    let choice = Choice::of([a, b], &[a.replay()?, b.replay()?])?;
+    Ok((files, choice))
+}
+
 impl Choice {
-    fn of(a: &Input, b: &Input) -> Result<Self, Failure> {
-        match (a.open()?, b.open()?) {
-            (Kind::Replay(first), Kind::Replay(second)) => Self::of_replays(&first, &second)
-                .ok_or_else(|| a.unproven(format_args!("no tick in common with {}", b.name()))),
-            (Kind::Snapshot(snapshot), _) | (_, Kind::Snapshot(snapshot)) => {
-                Ok(Self { tick: Some(snapshot.tick()), recordings: None })
-            }
-            _ => Ok(Self::default()),
+    /// The first tick in which two recordings differ, or else the last that both have.
+    fn of(files: [&Input; 2], replays: &[Replay<'_>; 2]) -> Result<Self, Failure> {
+        let [a, b] = replays;
+        let found = bisect_replays(a, b);
+        if found.compared == 0 {
+            let why = format!("no tick in common with {}", files[1].name());
+            return Err(files[0].unproven(why));
+        }
+        let last = span(a)[1].min(span(b)[1]);
+        let recordings = recordings(&found, replays);
+        let Some(Parting { tick, .. }) = found.state else {
+            return Ok(Self { tick: found.stored.or(Some(last)), note: None, recordings });
+        };
+        let (later, note) = match later(files, replays, tick..=last)? {
+            Some((later, note)) => (later, Some(note)),
+            None => (tick, None),
+        };
+        Ok(Self { tick: Some(later), note, recordings })
+    }
+}
+
+/// Where a state at the first of these ticks is unknown: the first later one at which both states
+/// are known and differ, if there is any, and why it is compared instead.
+fn later(
+    files: [&Input; 2],
+    replays: &[Replay<'_>; 2],
+    ticks: RangeInclusive<u64>,
+) -> Result<Option<(u64, String)>, Failure> {
+    let first = *ticks.start();
+    let sides = unknown(files, replays, first)?;
+    // Stepping cannot find back to what the machine had: only from what it stored it goes on.
+    let stored: BTreeSet<_> = sides.iter().flat_map(|&side| replays[side].stored_ticks()).collect();
+    for tick in stored.into_iter().filter(|tick| ticks.contains(tick)) {
+        let [a, b] = replays.each_ref().map(|replay| recorded_hash(replay, tick));
+        if a != b && unknown(files, replays, tick)?.is_empty() {
+            let names: Vec<_> = sides.iter().map(|&side| files[side].name()).collect();
+            let names = names.join(" and ");
+            let note = format!(
+                "the recordings differ from tick {first} on, but the state that {names} had then \
+                 is not in it, only its hash: tick {tick} is the first with states of both"
+            );
+            return Ok(Some((tick, note)));
         }
     }
+    Ok(None)
+}
 
-    /// The first tick at which the recorded hashes differ, or else the last that both have; `None`
-    /// if they have none.
-    fn of_replays(a: &Replay<'_>, b: &Replay<'_>) -> Option<Self> {
-        let first = a.first_tick().max(b.first_tick());
-        let last = end(a).min(end(b));
-        let differs = |&tick: &u64| recorded_hash(a, tick) != recorded_hash(b, tick);
-        let span = |replay: &Replay<'_>| format!("{} to {}", replay.first_tick(), end(replay));
-        let (tick, recordings) = match (first..=last).find(differs) {
-            Some(tick) => (tick, Some(format!("stepped again, tick {tick} is not as recorded"))),
-            None if span(a) == span(b) => (last, None),
-            None => (last, Some(format!("ticks {} against {}", span(a), span(b)))),
-        };
-        (first <= last).then_some(Self { tick: Some(tick), recordings })
+/// Which of two recordings do not tell the state at a tick.
+fn unknown(
+    files: [&Input; 2],
+    replays: &[Replay<'_>; 2],
+    tick: u64,
+) -> Result<Vec<usize>, Failure> {
+    let mut unknown = Vec::new();
+    for (side, replay) in replays.iter().enumerate() {
+        if !State::replayed(files[side], replay, Some(tick))?.is_known() {
+            unknown.push(side);
+        }
     }
+    Ok(unknown)
+}
+
+/// How two recordings differ; `None` if they do not.
+fn recordings(found: &Bisection, replays: &[Replay<'_>; 2]) -> Option<String> {
+    let text = |replay| {
+        let [first, end] = span(replay);
+        format!("{first} to {end}")
+    };
+    let [a, b] = replays.each_ref().map(text);
+    if let Some(parting) = found.state {
+        return Some(format!("stepped again, tick {} is not as recorded", parting.tick));
+    }
+    if let Some(tick) = found.inputs {
+        return Some(format!("the inputs of tick {tick} differ"));
+    }
+    if let Some(tick) = found.stored {
+        return Some(format!("the stored states of tick {tick} differ"));
+    }
+    (a != b).then(|| format!("ticks {a} against {b}"))
 }

@@ -8,10 +8,10 @@ use serde_json::{Map, Value};
 use verlock::snapshot::{Section, Snapshot};
 
 use crate::exit::Exit;
-use crate::failure::Failure;
+use crate::failure::{Failure, tell};
 use crate::input::Input;
 use crate::json;
-use crate::state::world_at;
+use crate::state::State;
 
 /// Print every object and field of a state
 ///
@@ -38,8 +38,11 @@ pub(crate) struct Dump {
 impl Dump {
     pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
         let input = Input::read(&self.path, limit)?;
-        let bytes = world_at(&input, self.tick)?.save();
-        let snapshot = Snapshot::parse(&bytes).map_err(|error| input.unproven(error))?;
+        let state = State::at(&input, self.tick)?;
+        let snapshot = state.snapshot(&input)?;
+        if let Some(note) = state.note(&input, snapshot.tick()) {
+            tell(note);
+        }
         let wanted = |section: &Section| self.section.is_none_or(|only| only == *section);
         let sections: Vec<_> = Section::ALL.into_iter().filter(wanted).collect();
         if self.json {

@@ -3,17 +3,22 @@
 use std::io::Write;
 use std::path::PathBuf;
 
+use serde_json::{Map, Value};
+use verlock::snapshot::Section;
+
 use crate::exit::Exit;
-use crate::failure::Failure;
+use crate::failure::{Failure, tell};
 use crate::input::{Input, Kind};
-use crate::state::{check_tick, end, recorded_hash, world_at};
+use crate::report::Report;
+use crate::state::{State, check_tick, recorded_hash, span};
 
 /// Print the hash of a state
 ///
-/// Of a replay it is the recorded one, by default the last; with --parts the replay is stepped.
+/// Of a replay or hash log it is the recorded one, by default the last; with --parts the state is
+/// stepped to, unless it is stored.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Hash {
-    /// Snapshot, replay or scene
+    /// Snapshot, replay, scene or hash log
     path: PathBuf,
 
     /// Print the hash of every section of the state too
@@ -23,29 +28,79 @@ pub(crate) struct Hash {
     /// Tick of the state
     #[arg(long, value_name = "T")]
     tick: Option<u64>,
+
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// What is known of a state.
+struct Found {
+    tick: u64,
+    hash: verlock::Hash,
+    /// The sections' own, if they are wanted.
+    parts: Vec<(Section, verlock::Hash)>,
 }
 
 impl Hash {
     pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
         let input = Input::read(&self.path, limit)?;
-        if !self.parts
-            && let Kind::Replay(replay) = input.open()?
-        {
-            let tick = check_tick(&input, self.tick, replay.first_tick(), end(&replay))?;
-            let hash = recorded_hash(&replay, tick);
-            let hash = hash.ok_or_else(|| input.unproven("the start is not a world"))?;
-            writeln!(out, "{hash}")?;
-            return Ok(Exit::Fine);
-        }
-        let world = world_at(&input, self.tick)?;
-        if self.parts {
-            writeln!(out, "{} state", world.hash())?;
-            for (section, hash) in world.part_hashes() {
-                writeln!(out, "{hash} {section}")?;
-            }
+        let found = if self.parts { self.computed(&input)? } else { self.recorded(&input)? };
+        if self.json {
+            found.report().print(true, out)?;
+        } else if self.parts {
+            writeln!(out, "{} state", found.hash)?;
+            found.parts.iter().try_for_each(|(part, hash)| writeln!(out, "{hash} {part}"))?;
         } else {
-            writeln!(out, "{}", world.hash())?;
+            writeln!(out, "{}", found.hash)?;
         }
         Ok(Exit::Fine)
+    }
+
+    /// What the file says, without stepping.
+    fn recorded(&self, input: &Input) -> Result<Found, Failure> {
+        let (tick, hash) = match input.open()? {
+            Kind::Replay(replay) => {
+                let tick = check_tick(input, self.tick, span(&replay))?;
+                let hash = recorded_hash(&replay, tick);
+                (tick, hash.ok_or_else(|| input.unproven("the start is not a world"))?)
+            }
+            Kind::Hashes(log) => {
+                let span = log.span().ok_or_else(|| input.unproven("no hash is in it"))?;
+                let tick = check_tick(input, self.tick, span)?;
+                let hash = log.at(tick);
+                let missing = || Failure::usage(format!("{}: no tick {tick}", input.name()));
+                (tick, hash.ok_or_else(missing)?)
+            }
+            _ => return self.computed(input),
+        };
+        Ok(Found { tick, hash, parts: Vec::new() })
+    }
+
+    fn computed(&self, input: &Input) -> Result<Found, Failure> {
+        let state = State::at(input, self.tick)?;
+        let snapshot = state.snapshot(input)?;
+        let tick = snapshot.tick();
+        if let Some(note) = state.note(input, tick) {
+            tell(note);
+        }
+        let parts = Section::ALL.into_iter().filter(|_| self.parts);
+        let parts = parts.map(|part| (part, snapshot.part_hash(part))).collect();
+        Ok(Found { tick, hash: snapshot.hash(), parts })
+    }
+}
+
+impl Found {
+    fn report(&self) -> Report {
+        let mut report = Report::default();
+        report.add("tick", self.tick);
+        report.add("hash", self.hash.to_string());
+        if !self.parts.is_empty() {
+            let part = |(part, hash): &(Section, verlock::Hash)| {
+                (part.name().to_owned(), Value::String(hash.to_string()))
+            };
+            report.add("parts", self.parts.iter().map(part).collect::<Map<_, _>>());
+        }
+        report
     }
 }

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use serde_json::{Value, json};
-use verlock::replay::Replay;
+use verlock::replay::{HashLog, Replay};
 use verlock::scene::Scene;
 use verlock::snapshot::{Section, Snapshot};
 use verlock::{Hash, SIM_VERSION};
@@ -13,15 +13,15 @@ use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::input::{Input, Kind};
 use crate::report::Report;
-use crate::state::{end, recorded_hash};
+use crate::state::{recorded_hash, span};
 
-/// Tell what a snapshot, replay or scene is and holds
+/// Tell what a snapshot, replay, scene or hash log is and holds
 ///
 /// Its versions, ticks, the number of objects at its start, and its sections with their sizes and
 /// hashes.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Info {
-    /// Snapshot, replay or scene
+    /// Snapshot, replay, scene or hash log
     path: PathBuf,
 
     /// Print JSON
@@ -36,6 +36,7 @@ impl Info {
             Kind::Snapshot(snapshot) => of_snapshot(&input, &snapshot)?,
             Kind::Replay(replay) => of_replay(&input, &replay),
             Kind::Scene(scene) => of_scene(&input, &scene)?,
+            Kind::Hashes(log) => of_hashes(&input, &log),
         };
         report.print(self.json, out)?;
         Ok(Exit::Fine)
@@ -81,7 +82,7 @@ fn of_replay(input: &Input, replay: &Replay<'_>) -> Report {
     if let Ok(world) = Snapshot::parse(replay.start_bytes()).and_then(|start| start.load()) {
         report.add_counts(&world);
     }
-    report.add("hash", recorded_hash(replay, end(replay)).map(|hash| hash.to_string()));
+    report.add("hash", recorded_hash(replay, span(replay)[1]).map(|hash| hash.to_string()));
     let rows = replay.sections();
     let rows = rows.map(|(name, entry)| section(name, entry.count, entry.length, entry.hash));
     report.add("sections", rows.collect::<Vec<_>>());
@@ -95,6 +96,16 @@ fn of_scene(input: &Input, scene: &Scene) -> Result<Report, Failure> {
     report.add_counts(&world);
     report.add("hash", world.hash().to_string());
     Ok(report)
+}
+
+fn of_hashes(input: &Input, log: &HashLog) -> Report {
+    let mut report = begin("hash log", input, None);
+    report.add("states", log.iter().count());
+    let span = log.span();
+    report.add("first_tick", span.map(|[first, _]| first));
+    report.add("last_tick", span.map(|[_, last]| last));
+    report.add("hash", log.iter().last().map(|(_, hash)| hash.to_string()));
+    report
 }
 
 fn section(name: &str, records: u64, bytes: u64, hash: Hash) -> Value {

@@ -3,23 +3,29 @@
 //! stdout is data, stderr is messages. What it returns is told by [`exit::Exit`].
 
 mod args;
+mod bisect;
 mod completions;
 mod count;
 mod diff;
 mod dump;
 mod exit;
 mod failure;
+mod files;
 mod hash;
+mod heavy;
 mod info;
 mod input;
+mod jobs;
 mod json;
 mod man;
 mod pipe;
 mod progress;
-mod replays;
+mod recording;
+mod render;
 mod report;
 mod run;
 mod state;
+mod tally;
 mod target;
 mod verdict;
 mod verify;

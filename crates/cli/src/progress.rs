@@ -11,16 +11,18 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    pub(crate) fn new(name: &str, ticks: u64) -> Self {
+    /// A bar for so many `units`, such as ticks.
+    pub(crate) fn new(name: &str, count: u64, units: &str) -> Self {
         let shown = stderr().is_terminal();
         let target =
             if shown { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
-        let style = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} ticks, {eta} left");
-        let bar = ProgressBar::with_draw_target(Some(ticks), target).with_message(name.to_owned());
+        let style = format!("{{msg}} {{wide_bar}} {{pos}}/{{len}} {units}, {{eta}} left");
+        let style = ProgressStyle::with_template(&style);
+        let bar = ProgressBar::with_draw_target(Some(count), target).with_message(name.to_owned());
         Self { bar: bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())) }
     }
 
-    /// A tick is done.
+    /// One of them is done.
     pub(crate) fn step(&self) {
         self.bar.inc(1);
     }

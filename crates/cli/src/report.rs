@@ -17,6 +17,8 @@ impl Report {
     pub(crate) fn add_counts(&mut self, world: &verlock::World) {
         self.add("particles", world.particles().len());
         self.add("distances", world.distances().count());
+        self.add("volumes", world.volumes().count());
+        self.add("faces", world.faces().count());
         self.add("half_spaces", world.half_spaces().count());
     }
 
@@ -40,6 +42,7 @@ impl Report {
 fn line(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
+        Value::Null => "none".into(),
         Value::Object(fields) if fields.is_empty() => "none".into(),
         Value::Object(fields) => {
             let fields = fields.iter().map(|(name, value)| format!("{name}={}", line(value)));

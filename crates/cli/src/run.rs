@@ -1,12 +1,11 @@
 //! `verlock run`: steps a scene.
 
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 use std::io::Write;
 use std::path::PathBuf;
 
 use serde_json::{Value, json};
-use verlock::replay::Recorder;
+use verlock::replay::{HashLog, Recorder};
 use verlock::scene::Scene;
 use verlock::world::EventKind;
 use verlock::{Event, World};
@@ -20,7 +19,7 @@ use crate::target::Target;
 
 /// Step a scene, and record it
 ///
-/// Prints the number of ticks, particles and constraints, the events by kind, and the hash of the
+/// Prints the tick, the number of objects of each kind, the events by kind, and the hash of the
 /// last state.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Run {
@@ -73,8 +72,8 @@ struct Journal {
     kinds: BTreeMap<&'static str, u64>,
     /// All events, if they are wanted.
     events: Vec<Event>,
-    /// A line for every state, if they are wanted.
-    hashes: String,
+    /// The hash of every state, if they are wanted.
+    hashes: HashLog,
 }
 
 impl Run {
@@ -95,7 +94,7 @@ impl Run {
             target.write(&recorder.simulation().save(), out)?;
         }
         if let Some(target) = &targets.hashes {
-            target.write(journal.hashes.as_bytes(), out)?;
+            target.write(journal.hashes.to_string().as_bytes(), out)?;
         }
         // What is said about the run must not mix with a file on stdout.
         let mut aside = anstream::stderr();
@@ -122,7 +121,7 @@ impl Run {
 
     fn step(&self, scene: &Scene, recorder: &mut Recorder<World>, name: &str) -> Journal {
         let ticks = self.ticks.unwrap_or(scene.ticks());
-        let progress = Progress::new(name, ticks);
+        let progress = Progress::new(name, ticks, "ticks");
         let mut journal = Journal::default();
         if self.hashes.is_some() {
             journal.note_hash(recorder.simulation());
@@ -164,8 +163,7 @@ impl Targets {
 
 impl Journal {
     fn note_hash(&mut self, world: &World) {
-        // Writing to a text does not fail.
-        let _ = writeln!(self.hashes, "{} {}", world.tick(), world.hash());
+        self.hashes.insert(world.tick(), world.hash());
     }
 
     fn note_events(&mut self, events: &[Event], keep: bool) {
@@ -186,6 +184,7 @@ fn kind(event: &Event) -> &'static str {
     match event.kind {
         EventKind::Spawned { .. } => "spawned",
         EventKind::Removed { .. } => "removed",
+        EventKind::Broken { .. } => "broken",
         EventKind::Refused { .. } => "refused",
         EventKind::DisplacementClamped { .. } => "displacement-clamped",
         EventKind::WorldLimit { .. } => "world-limit",

@@ -6,6 +6,8 @@ use verlock::World;
 use verlock::replay::{Divergence, DivergenceKind, Replay, VerifyError, seek, verify};
 use verlock::snapshot::{Difference, Snapshot, diff};
 
+use crate::count::counted;
+
 /// No more differences are told of one replay.
 const DIFFERENCES_MAX: usize = 20;
 
@@ -71,6 +73,16 @@ impl Compared {
         self.constraints = world.distances().count() as u64;
         self.particle_states += self.particles;
         self.constraint_states += self.constraints;
+    }
+}
+
+impl Compared {
+    /// The sums, for people.
+    pub(crate) fn line(&self) -> String {
+        let ticks = counted(self.ticks, "tick");
+        let particles = counted(self.particle_states, "particle state");
+        let constraints = counted(self.constraint_states, "constraint state");
+        format!("{ticks}, {particles}, {constraints}")
     }
 }
 

@@ -4,16 +4,17 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
-use verlock::replay::{Divergence, DivergenceKind};
-use verlock::snapshot::Difference;
+use verlock::replay::{Divergence, DivergenceKind, Replay, VerifyError};
+use verlock::snapshot::{DecodeError, DecodeReason, Difference};
 
-use crate::count::{counted, grouped};
+use crate::count::counted;
 use crate::exit::Exit;
 use crate::failure::Failure;
+use crate::files::{REPLAY, files};
 use crate::input::Input;
 use crate::json;
 use crate::progress::Progress;
-use crate::replays::replays;
+use crate::tally::Tally;
 use crate::verdict::{Compared, Verdict};
 
 /// Step replays again and compare every tick
@@ -33,27 +34,15 @@ pub(crate) struct Verify {
     json: bool,
 }
 
-/// What came of all replays.
-#[derive(Default)]
-struct Tally {
-    verified: u64,
-    diverged: u64,
-    unproven: u64,
-    /// Files that could not be read.
-    unread: u64,
-    compared: Compared,
-    /// A row for every replay.
-    rows: Vec<Value>,
-}
-
 impl Verify {
     pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
-        let mut tally = Tally::default();
+        let mut tally = Tally::new("verified");
+        let mut compared = Compared::default();
         for path in &self.paths {
-            match replays(path) {
+            match files(path, &[REPLAY]) {
                 Ok(files) => {
                     for file in files {
-                        self.verify(&file, limit, &mut tally, out)?;
+                        compared = compared + self.verify(&file, limit, &mut tally, out)?;
                     }
                 }
                 Err(failure) => tally.note_failure(path, &failure),
@@ -61,99 +50,61 @@ impl Verify {
         }
         let exit = tally.exit();
         if self.json {
-            writeln!(out, "{:#}", tally.into_json())?;
+            let mut report = tally.into_json("replays");
+            report.insert("ticks".into(), compared.ticks.into());
+            report.insert("particle_states".into(), compared.particle_states.into());
+            report.insert("constraint_states".into(), compared.constraint_states.into());
+            writeln!(out, "{:#}", Value::Object(report))?;
         } else {
-            writeln!(out, "{}", tally.line())?;
+            writeln!(out, "{}: {} compared", tally.line("replay"), compared.line())?;
         }
         Ok(exit)
     }
 
+    /// Verifies a replay, prints and notes what came of it, and returns how much came out the same.
     fn verify(
         &self,
         path: &Path,
         limit: u64,
         tally: &mut Tally,
         out: &mut dyn Write,
-    ) -> Result<(), Failure> {
-        let input = match Input::read(path, limit) {
-            Ok(input) => input,
+    ) -> Result<Compared, Failure> {
+        let mut progress = None;
+        let on_tick = |input: &Input, replay: &Replay<'_>| {
+            let begin = || Progress::new(input.name(), replay.len(), "ticks");
+            progress.get_or_insert_with(begin).step();
+        };
+        let (input, verdict) = match judge(path, limit, on_tick) {
+            Ok(judged) => judged,
             Err(failure) => {
                 tally.note_failure(path, &failure);
-                return Ok(());
+                return Ok(Compared::default());
             }
         };
-        let mut progress = None;
-        let verdict = Verdict::of(input.bytes(), |replay| {
-            progress.get_or_insert_with(|| Progress::new(input.name(), replay.len())).step();
-        });
         drop(progress);
-        tally.note(&input, &verdict);
+        tally.note(input.name(), matches!(verdict, Verdict::Verified(_)), row(&verdict));
         if !self.json {
             print(&input, &verdict, out)?;
         }
-        Ok(())
+        Ok(verdict.compared())
     }
 }
 
-impl Tally {
-    fn note(&mut self, input: &Input, verdict: &Verdict) {
-        match verdict {
-            Verdict::Verified(_) => self.verified += 1,
-            Verdict::Diverged(..) => self.diverged += 1,
-            Verdict::Unproven(error) => {
-                let failure = input.unproven(error);
-                return self.note_failure(Path::new(input.name()), &failure);
-            }
-        }
-        self.compared = self.compared + verdict.compared();
-        self.rows.push(row(input, verdict));
-    }
-
-    fn note_failure(&mut self, path: &Path, failure: &Failure) {
-        failure.tell();
-        let (count, verdict) = match failure.exit() {
-            Exit::Unproven => (&mut self.unproven, "unproven"),
-            _ => (&mut self.unread, "unread"),
-        };
-        *count += 1;
-        let path = path.display().to_string();
-        self.rows.push(json!({ "path": path, "verdict": verdict, "why": failure.to_string() }));
-    }
-
-    /// A divergence outweighs a file that proves nothing, and that one a file that is not there.
-    fn exit(&self) -> Exit {
-        match self {
-            Self { diverged: 1.., .. } => Exit::Different,
-            Self { unproven: 1.., .. } => Exit::Unproven,
-            Self { unread: 1.., .. } => Exit::Usage,
-            _ => Exit::Fine,
-        }
-    }
-
-    fn line(&self) -> String {
-        let Self { verified, diverged, unproven, unread, compared, rows: _ } = self;
-        let mut parts = vec![format!("{} verified", counted(*verified, "replay"))];
-        for (count, name) in [(diverged, "diverged"), (unproven, "unproven"), (unread, "unread")] {
-            if *count > 0 {
-                parts.push(format!("{} {name}", grouped(*count)));
-            }
-        }
-        let replays = parts.join(", ");
-        let ticks = counted(compared.ticks, "tick");
-        let particles = counted(compared.particle_states, "particle state");
-        let constraints = counted(compared.constraint_states, "constraint state");
-        format!("{replays}: {ticks}, {particles}, {constraints} compared")
-    }
-
-    fn into_json(self) -> Value {
-        let Self { verified, diverged, unproven, unread, compared, rows } = self;
-        json!({
-            "replays": rows,
-            "verified": verified, "diverged": diverged, "unproven": unproven, "unread": unread,
-            "ticks": compared.ticks,
-            "particle_states": compared.particle_states,
-            "constraint_states": compared.constraint_states,
-        })
+/// A file and what stepping it again proves, if it proves anything.
+fn judge(
+    path: &Path,
+    limit: u64,
+    mut on_tick: impl FnMut(&Input, &Replay<'_>),
+) -> Result<(Input, Verdict), Failure> {
+    let input = Input::read(path, limit)?;
+    let verdict = Verdict::of(input.bytes(), |replay| on_tick(&input, replay));
+    match &verdict {
+        Verdict::Unproven(VerifyError::Decode(DecodeError {
+            reason: DecodeReason::NotThisKind,
+            offset: 0,
+        })) => Err(input.other_kind("a replay")),
+        Verdict::Unproven(error) => Err(input.unproven(error)),
+        _ => Ok((input, verdict)),
     }
 }
 
@@ -178,17 +129,14 @@ fn print(input: &Input, verdict: &Verdict, out: &mut dyn Write) -> io::Result<()
     }
 }
 
-fn row(input: &Input, verdict: &Verdict) -> Value {
+fn row(verdict: &Verdict) -> Value {
     let compared = verdict.compared();
     let mut row = json!({
-        "path": input.name(),
-        "verdict": "verified",
         "ticks": compared.ticks,
         "particles": compared.particles,
         "constraints": compared.constraints,
     });
     if let Verdict::Diverged(divergence, _, differences) = verdict {
-        row["verdict"] = "diverged".into();
         row["divergence"] = divergence_json(divergence, differences);
     }
     row

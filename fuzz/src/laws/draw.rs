@@ -1,7 +1,10 @@
 //! Worlds and commands out of bytes: mostly sensible, now and then anything.
 
 use arbitrary::{Arbitrary, Unstructured};
-use verlock::constraint::{Distance, DistanceForm, DistanceId, HalfSpace, HalfSpaceId};
+use verlock::body::{Face, FaceId};
+use verlock::constraint::{
+    Distance, DistanceForm, DistanceId, HalfSpace, HalfSpaceId, Volume, VolumeId,
+};
 use verlock::math::{Factor, Real, Unit, UnitVec3, Vec3};
 use verlock::particle::{Particle, ParticleId, ParticleSpec};
 use verlock::store::Handle;
@@ -47,7 +50,7 @@ impl<'a> Draw<'a> {
     }
 
     /// A number below `n`, which is not 0.
-    fn below(&mut self, n: usize) -> usize {
+    pub(super) fn below(&mut self, n: usize) -> usize {
         self.0.choose_index(n).unwrap_or(0)
     }
 
@@ -87,7 +90,7 @@ impl<'a> Draw<'a> {
         Real::from_raw(usual[self.below(5)])
     }
 
-    fn config(&mut self) -> WorldConfig {
+    pub(super) fn config(&mut self) -> WorldConfig {
         WorldConfig {
             tick_rate: [60, 50, 1, 1000, self.any()][self.below(5)],
             substeps: [4, 1, 3, 8, 64, 65][self.below(6)],
@@ -95,10 +98,11 @@ impl<'a> Draw<'a> {
             gravity: self.vector(20 * ONE),
             damping: [Real::ZERO, self.real(ONE)][self.below(2)],
             displacement_max: [WorldConfig::DISPLACEMENT_MAX, self.real(ONE)][self.below(2)],
+            wind: [Vec3::ZERO, self.vector(20 * ONE)][self.below(2)],
         }
     }
 
-    fn spec(&mut self) -> ParticleSpec {
+    pub(super) fn spec(&mut self) -> ParticleSpec {
         let user = self.any::<u8>();
         let mut spec = ParticleSpec::at(self.vector(8 * ONE)).velocity(self.vector(16 * ONE));
         spec.particle = Particle {
@@ -123,9 +127,30 @@ impl<'a> Draw<'a> {
         }
     }
 
-    fn link(&mut self, a: ParticleId, b: ParticleId) -> Distance {
-        let form = [DistanceForm::StartOfStep, DistanceForm::Exact][self.below(2)];
-        Distance::new(a, b, self.real(4 * ONE)).form(form).stiffness(self.unit())
+    pub(super) fn link(&mut self, a: ParticleId, b: ParticleId) -> Distance {
+        let forms = [
+            DistanceForm::StartOfStep,
+            DistanceForm::Exact,
+            DistanceForm::RootFree,
+            DistanceForm::DivisionFree,
+        ];
+        let form = forms[self.below(4)];
+        let rest_length = self.real(4 * ONE);
+        Distance {
+            slack: [Real::ZERO, rest_length, self.real(ONE)][self.below(3)],
+            compliance: [Unit::ZERO, Unit::from_raw(1 << 14), self.unit()][self.below(3)],
+            tear_strain: [Factor::ZERO, Factor::from_raw(1 << 13), self.factor()][self.below(3)],
+            toughness: [Factor::ZERO, self.factor()][self.below(2)],
+            ..Distance::new(a, b, rest_length).form(form).stiffness(self.unit())
+        }
+    }
+
+    pub(super) fn volume(&mut self, corners: [ParticleId; 4]) -> Volume {
+        Volume::new(corners, self.real(100 * ONE)).stiffness(self.unit())
+    }
+
+    fn face(&mut self, corners: [ParticleId; 3]) -> Face {
+        Face::new(corners).drag(self.factor())
     }
 
     /// A small world; what its builder refuses is left out.
@@ -141,6 +166,12 @@ impl<'a> Draw<'a> {
         }
         for _ in 0..self.below(4) {
             let _ = builder.half_space(&self.half_space());
+        }
+        for _ in 0..self.below(4) {
+            let corners = [(); 4].map(|()| self.one_of(&ids));
+            let _ = builder.volume(&self.volume(corners));
+            let corners = [(); 3].map(|()| self.one_of(&ids));
+            let _ = builder.face(&self.face(corners));
         }
         builder.build()
     }
@@ -158,8 +189,8 @@ impl<'a> Draw<'a> {
     }
 
     fn action(&mut self, world: &World) -> Action {
-        let kind = self.below(20);
-        let token = kind as u64; // below 20
+        let kind = self.below(23);
+        let token = kind as u64; // below 23
         let particle = self.particle(world);
         match kind {
             0 | 1 => Action::SpawnParticle { token, spec: self.spec() },
@@ -185,12 +216,29 @@ impl<'a> Draw<'a> {
             }
             17 => Action::SetEnabled { object: self.object(world), enabled: self.any() },
             18 => Action::SetUser { object: self.object(world), user: self.any() },
+            19 => {
+                let corners = [(); 4].map(|()| self.particle(world));
+                Action::SpawnVolume { token, volume: self.volume(corners) }
+            }
+            20 => {
+                let corners = [(); 3].map(|()| self.particle(world));
+                Action::SpawnFace { token, face: self.face(corners) }
+            }
+            21 => Action::SetWind { wind: self.vector(20 * ONE) },
             _ => Action::Configure { config: self.config() },
         }
     }
 
     fn object(&mut self, world: &World) -> ObjectId {
-        match self.below(3) {
+        match self.below(5) {
+            3 => {
+                let alive: Vec<_> = world.volumes().map(|(VolumeId(id), _)| id).collect();
+                ObjectId::Volume(VolumeId(self.handle(&alive)))
+            }
+            4 => {
+                let alive: Vec<_> = world.faces().map(|(FaceId(id), _)| id).collect();
+                ObjectId::Face(FaceId(self.handle(&alive)))
+            }
             0 => ObjectId::Particle(self.particle(world)),
             1 => ObjectId::Distance(self.distance(world)),
             _ => {

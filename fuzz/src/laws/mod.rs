@@ -6,12 +6,16 @@
 mod commands;
 pub mod container;
 mod draw;
+mod obj;
+mod relax;
 mod replay;
 mod scene;
 mod snapshot;
 mod world;
 
 pub use commands::commands;
+pub use obj::obj;
+pub use relax::relax;
 pub use replay::replay;
 pub use scene::scene;
 pub use snapshot::snapshot;

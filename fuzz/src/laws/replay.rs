@@ -1,6 +1,8 @@
 //! Any bytes are a replay or are not, and any replay verifies or does not.
 
-use verlock::replay::{Divergence, DivergenceKind, Replay, VerifyError, seek, verify};
+use verlock::replay::{
+    Divergence, DivergenceKind, HashLog, Replay, VerifyError, bisect_replays, seek, verify,
+};
 use verlock::world::World;
 
 use super::snapshot::is_inside;
@@ -54,6 +56,9 @@ fn is_consistent(replay: &Replay<'_>) {
     assert_eq!(replay.hash_after(last), None);
     assert_eq!(replay.is_empty(), replay.hash_after(first).is_none());
     assert!(replay.input_count() <= u64::from(u32::MAX) * replay.len());
+    let log = HashLog::of(replay);
+    assert!(log.to_string().parse() == Ok(log), "a hash log survives its text");
+    assert!(bisect_replays(replay, replay).is_equal(), "a replay is equal to itself");
 }
 
 /// Seeking gives the state that was verified.

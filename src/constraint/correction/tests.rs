@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::math::Pcg;
+use crate::math::wide::NARROW_MAX;
 
 /// Release builds take a minute's worth of cases for a debug build: `cargo test --release widths`.
 const CASES: u32 = if cfg!(debug_assertions) { 100_000 } else { 10_000_000 };
@@ -22,6 +23,12 @@ fn vector(random: &mut Pcg) -> [i64; 3] {
 
 fn gain(random: &mut Pcg) -> i32 {
     [0, 1, 1 << 29, 1 << 30, (random.next_u32() >> 2).cast_signed()][random.below(5) as usize]
+}
+
+fn rod(gains: [i32; 2], length: i64, form: DistanceForm) -> Link {
+    let (shortest, longest) = (length, length);
+    let free = [true; 2];
+    Link { ends: [0, 1], gains, free, shortest, longest, give: 0, memory: 0, form }
 }
 
 /// A vector a little off another one, within the range.
@@ -62,17 +69,22 @@ fn both_widths_give_the_same_bits() {
         let gain_a = gain(random);
         let gains = [gain_a, if random.below(2) == 0 { gain_a } else { gain(random) }];
         let rest_length = rest_length(random, d, r);
-        let link = |form| Link { ends: [0, 1], gains, rest_length, carry: 0, form };
+        let slack = [0, 0, rest_length / 3, rest_length][random.below(4) as usize];
+        let give = [0, 0, 1 << 10, 1 << 40][random.below(4) as usize];
+        let taken = i64::from(random.next_u32()) << random.below(12);
         let mut half = || to_i16(i64::from(random.next_u32() >> 17)) - CARRY_MAX;
         let carry = [(); 3].map(|()| half());
         // Equal gains have equal carries.
         let before = [carry, if gains[0] == gains[1] { carry } else { [half(), half(), 0] }];
         let [exact, start] = [DistanceForm::Exact, DistanceForm::StartOfStep].map(|form| {
-            let link = link(form);
-            let (mut carry, mut wide_carry) = (before, before);
-            let narrow = link.narrow(d, r, &mut carry);
-            let wide = link.wide(d, r, &mut wide_carry);
-            assert_eq!((narrow, carry), (wide, wide_carry), "{link:?}, d {d:?}, r {r:?}");
+            let give = if form == DistanceForm::Exact { give } else { 0 };
+            let link = Link { give, ..rod(gains, rest_length, form) };
+            let link = Link { shortest: rest_length - slack, ..link };
+            let mut memory = Memory { carry: before, taken };
+            let mut wide_memory = memory;
+            let narrow = link.narrow(d, r, &mut memory);
+            let wide = link.wide(d, r, &mut wide_memory);
+            assert_eq!((narrow, memory), (wide, wide_memory), "{link:?}, d {d:?}, r {r:?}");
             narrow
         });
         along_start += u32::from(exact != start);
@@ -84,11 +96,10 @@ fn both_widths_give_the_same_bits() {
 #[test]
 fn the_border_shows_in_no_result() {
     for form in [DistanceForm::Exact, DistanceForm::StartOfStep] {
-        let link =
-            Link { ends: [0, 1], gains: [1 << 29; 2], rest_length: NARROW_MAX, carry: 0, form };
+        let link = rod([1 << 29; 2], NARROW_MAX, form);
         let moved = [-4, 0, 4, 8].map(|beyond| {
             let b = [NARROW_MAX + beyond, 0, 0];
-            let [a, b] = link.correct([[0; 3], b], [[0; 3], b], &mut Carry::default());
+            let [a, b] = link.correct([[0; 3], b], [[0; 3], b], &mut Memory::default());
             assert_eq!(a.map(|c| -c), b);
             b[0]
         });
@@ -100,14 +111,8 @@ fn the_border_shows_in_no_result() {
 /// Ends that coincide have no direction.
 #[test]
 fn coincident_ends_stay() {
-    let link = Link {
-        ends: [0, 1],
-        gains: [1 << 30; 2],
-        rest_length: 1,
-        carry: 0,
-        form: DistanceForm::Exact,
-    };
+    let link = rod([1 << 30; 2], 1, DistanceForm::Exact);
     for place in [[0; 3], [1 << 60, -(1 << 60), 7]] {
-        assert_eq!(link.correct([place; 2], [place; 2], &mut Carry::default()), [[0; 3]; 2]);
+        assert_eq!(link.correct([place; 2], [place; 2], &mut Memory::default()), [[0; 3]; 2]);
     }
 }

@@ -1,6 +1,8 @@
 use verlock::World;
 use verlock::replay::Recorder;
+use verlock::snapshot::Section;
 
+use crate::bisect::faulty;
 use crate::container::{repair, sections};
 use crate::sandbox::{SCENE, Sandbox};
 
@@ -38,6 +40,79 @@ fn first_difference_is_found() {
     assert!(!lines.contains("position 0"), "{lines}");
     sandbox.run(&["diff", "a.replay", "b.replay", "--tick", "3"]).expect(0);
     sandbox.run(&["diff", "a.snap", "b.snap"]).expect(1);
+}
+
+/// What a machine stored is what it had, whatever stepping gives here.
+#[test]
+fn stored_states_are_compared() {
+    let sandbox = faulty("diff-stored", "1");
+    let report = sandbox.run(&["diff", "a.replay", "b.replay"]).expect(1);
+    assert!(report.text().contains(" differences at tick 4: "), "{}", report.text());
+    assert_eq!(report.stderr, "");
+    let json = sandbox.run(&["diff", "a.replay", "b.replay", "--json"]).expect(1).json();
+    assert_eq!(json["origins"], serde_json::json!(["stored", "stored"]));
+    assert_eq!(json["as_recorded"], serde_json::json!([true, true]));
+    let json = sandbox.run(&["diff", "a.ron", "b.replay", "--json"]).expect(1).json();
+    assert_eq!(json["ticks"], serde_json::json!([4, 4]));
+    assert_eq!(json["origins"], serde_json::json!(["stepped", "stored"]));
+}
+
+/// A stored state that no world can have is compared all the same: only a fault makes such a one.
+#[test]
+fn impossible_states_are_compared() {
+    let sandbox = faulty("diff-impossible-state", "1");
+    let mut bytes = sandbox.read("b.replay");
+    let states = sections(&bytes)[5].clone();
+    let length = states.len() / 6;
+    let state = &mut bytes[states.start + 3 * length..][..length]; // of tick 4
+    let place = Section::ALL.iter().position(|section| *section == Section::Particle);
+    let particles = sections(state)[place.expect("a section")].start;
+    let mass = particles + Section::Particle.record_size() as usize;
+    state[mass..mass + 8].fill(0); // of particle 1
+    repair(state);
+    repair(&mut bytes);
+    sandbox.write("b.replay", &bytes);
+    let report = sandbox.run(&["diff", "a.replay", "b.replay"]).expect(1);
+    let line = "particle 1 mass: 1 against 0 (raw 0x0000000001000000 against 0x0000000000000000)";
+    assert!(report.text().lines().any(|found| found == line), "{}", report.text());
+    report.says("b.replay: tick 4: the stored state is another one than recorded");
+}
+
+/// Where a machine's own state is only known by its hash, the next one that it stored is compared;
+/// where it stored none, what stepping gives, with a word of warning.
+#[test]
+fn unknown_states_are_passed_over() {
+    let sandbox = faulty("diff-unknown", "3");
+    let report = sandbox.run(&["diff", "a.replay", "b.replay"]).expect(1);
+    assert!(report.text().contains(" differences at tick 6: "), "{}", report.text());
+    report.says("differ from tick 4 on").says("b.replay had then").says("tick 6 is the first");
+    let json = sandbox.run(&["diff", "a.replay", "b.replay", "--json"]).expect(1).json();
+    assert!(json["notes"][0].as_str().is_some_and(|note| note.contains("tick 6 is the first")));
+
+    let report = sandbox.run(&["diff", "a.replay", "b.replay", "--tick", "5"]).expect(0);
+    report.says("b.replay: tick 5: stepping again gives another state than recorded");
+
+    let sandbox = faulty("diff-hashes-only", "0");
+    let report = sandbox.run(&["diff", "a.replay", "b.replay"]).expect(1);
+    assert!(report.text().starts_with("equal at tick 4: "), "{}", report.text());
+    report.says("b.replay: tick 4: stepping again gives another state").says("not as recorded");
+}
+
+/// Recordings with other inputs, or with other stored bytes, are not equal.
+#[test]
+fn recordings_differ_in_more_than_hashes() {
+    let sandbox = Sandbox::recorded("diff-more");
+    let mut bytes = sandbox.read("a.replay");
+    let last = sections(&bytes)[5].end - 1;
+    bytes[last] ^= 1;
+    repair(&mut bytes);
+    sandbox.write("stored.replay", &bytes);
+    sandbox.run(&["diff", "a.replay", "stored.replay"]).expect(3).says("damaged");
+    let other =
+        SCENE.replacen("particle: 9, impulse: (0, 0, 1)", "particle: 9, impulse: (0, 0, 2)", 1);
+    sandbox.write("b.ron", other.as_bytes());
+    let report = sandbox.run(&["diff", "a.replay", "b.ron"]).expect(1);
+    report.says("though not this state: the inputs of tick 4 differ");
 }
 
 /// `--max` cuts the list, not the count; JSON tells the same.
@@ -95,6 +170,9 @@ fn nothing_in_common() {
 fn impossible_comparisons() {
     let sandbox = Sandbox::recorded("diff-impossible");
     sandbox.run(&["diff", "a.snap", "a.ron", "--tick", "2"]).expect(2).says("tick 2 is not in it");
+    sandbox.run(&["run", "a.ron", "--hashes", "a.hashes"]).expect(0);
+    let report = sandbox.run(&["diff", "a.snap", "a.hashes"]).expect(3);
+    report.says("a.hashes: offset 0: it is a hash log, and a state");
     sandbox.run(&["diff", "-", "-"]).expect(2).says("stdin");
     sandbox.write("cut.snap", &sandbox.read("a.snap")[..50]);
     sandbox.run(&["diff", "a.snap", "cut.snap"]).expect(3).says("cut.snap: offset 50");

@@ -1,3 +1,4 @@
+use serde_json::Value;
 use verlock::World;
 use verlock::snapshot::Section;
 
@@ -7,9 +8,11 @@ use crate::sandbox::Sandbox;
 #[test]
 fn info_knows_every_kind() {
     let sandbox = Sandbox::recorded("info");
-    for (file, kind, sections) in
-        [("a.ron", "scene", 0), ("a.snap", "snapshot", 10), ("a.replay", "replay", 6)]
-    {
+    for (file, kind, sections) in [
+        ("a.ron", "scene", 0),
+        ("a.snap", "snapshot", Section::ALL.len()),
+        ("a.replay", "replay", 6),
+    ] {
         let json = sandbox.run(&["info", file, "--json"]).expect(0).json();
         assert_eq!(json["kind"], kind);
         assert_eq!(json["particles"], 2);
@@ -24,6 +27,11 @@ fn info_knows_every_kind() {
     assert_eq!(json["inputs"], 2);
     assert_eq!(json["keyframes"], 3);
     assert_eq!(json["name"], "verlock.world");
+    sandbox.run(&["run", "a.ron", "--hashes", "a.hashes"]).expect(0);
+    let json = sandbox.run(&["info", "a.hashes", "--json"]).expect(0).json();
+    let expected = serde_json::json!(["hash log", 7, 0, 6]);
+    let found = ["kind", "states", "first_tick", "last_tick"].map(|name| json[name].clone());
+    assert_eq!(Value::from(found.to_vec()), expected);
     sandbox.write("noise", &[0xff; 100]);
     sandbox.run(&["info", "noise"]).expect(3).says("nothing proven");
 }
@@ -40,6 +48,17 @@ fn hash_is_that_of_the_world() {
         assert_eq!(sandbox.run(&[&["hash", file], &tick[..]].concat()).expect(0).text(), parts);
     }
     assert_eq!(sandbox.run(&["hash", "a.replay"]).expect(0).text(), format!("{}\n", world.hash()));
+    for (args, parts) in [(&["--json"][..], false), (&["--json", "--parts"], true)] {
+        let json = sandbox.run(&[&["hash", "a.replay"], args].concat()).expect(0).json();
+        assert_eq!((&json["tick"], &json["hash"]), (&6.into(), &world.hash().to_string().into()));
+        let part = world.part_hashes()[0].1.to_string();
+        assert_eq!(json["parts"]["world"], if parts { part.into() } else { Value::Null });
+    }
+    sandbox.run(&["run", "a.ron", "--hashes", "a.hashes"]).expect(0);
+    let logged = sandbox.run(&["hash", "a.hashes"]).expect(0);
+    assert_eq!(logged.text(), format!("{}\n", world.hash()));
+    sandbox.run(&["hash", "a.hashes", "--tick", "7"]).expect(2).says("it goes from 0 to 6");
+    sandbox.run(&["hash", "a.hashes", "--parts"]).expect(3).says("it is a hash log, and a state");
     sandbox.run(&["hash", "a.replay", "--tick", "7"]).expect(2).says("it goes from 0 to 6");
     sandbox.run(&["hash", "a.snap", "--tick", "5"]).expect(2).says("it goes from 6 to 6");
 }

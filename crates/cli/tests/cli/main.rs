@@ -1,13 +1,19 @@
 //! The command as a shell sees it: arguments, files, streams and exit codes.
 
+/// Where two recordings part.
+mod bisect;
 /// Files whose hashes are repaired after a change.
 mod container;
 /// Two states compared.
 mod diff;
 /// Streams, limits, and files that must not be overwritten.
 mod files;
+/// Every tick in every way.
+mod heavy;
 /// What a file is and holds.
 mod inspect;
+/// Pictures: sizes, sheets, films, goldens.
+mod render;
 /// Scenes stepped and recorded.
 mod run;
 /// A folder of its own for every test.

@@ -13,8 +13,10 @@ fn tells_what_happened() {
         world.step(&commands);
     }
     let hash = world.hash();
-    let report =
-        format!("tick 6\nparticles 2\ndistances 1\nhalf_spaces 0\nevents refused=1\nhash {hash}\n");
+    let report = format!(
+        "tick 6\nparticles 2\ndistances 1\nvolumes 0\nfaces 0\nhalf_spaces 0\n\
+         events refused=1\nhash {hash}\n"
+    );
     assert_eq!(sandbox.run(&["run", "a.ron"]).expect(0).text(), report);
 
     let json = sandbox.run(&["run", "a.ron", "--json", "--events"]).expect(0).json();
@@ -32,6 +34,37 @@ fn length_and_events() {
     assert!(report.text().starts_with("tick 2\n") && report.text().contains("events none\n"));
     let report = sandbox.run(&["run", "a.ron", "--events"]).expect(0);
     assert!(report.text().starts_with("tick 4: command 0 of player 0 refused: "), "{report:?}");
+}
+
+/// Objects and events of every kind have a name of their own.
+#[test]
+fn kinds_are_named() {
+    let sandbox = Sandbox::new("run-kinds");
+    let scene = "(
+        version: 1,
+        ticks: 3,
+        config: (displacement_max: 0.5),
+        particles: [
+            (pinned: true), (position: (1, 0, 0)), (position: (0, 1, 0)), (position: (0, 0, 1)),
+            (position: (68719476735, 0, 0), velocity: (100, 0, 0), acceleration: (9000, 0, 0)),
+        ],
+        distances: [(a: 0, b: 1, rest_length: 0.5, stiffness: 0.1, tear_strain: 0.1)],
+        volumes: [(corners: (0, 1, 2, 3))],
+        faces: [(corners: (0, 1, 2)), (corners: (0, 2, 3))],
+        timeline: [
+            (tick: 1, action: Remove(object: Particle(3))),
+            (tick: 2, action: SpawnParticle(particle: (position: (9, 9, 9)))),
+            (tick: 2, action: Remove(object: Particle(9))),
+        ],
+    )";
+    sandbox.write("b.ron", scene.as_bytes());
+    let started = sandbox.run(&["info", "b.ron", "--json"]).expect(0).json();
+    assert_eq!((&started["volumes"], &started["faces"]), (&1.into(), &2.into()));
+    let ended = sandbox.run(&["run", "b.ron", "--json"]).expect(0).json();
+    assert_eq!((&ended["volumes"], &ended["faces"]), (&0.into(), &1.into()));
+    let kinds: Vec<_> = ended["events"].as_object().expect("kinds").keys().collect();
+    let all = ["broken", "displacement-clamped", "refused", "removed", "spawned", "world-limit"];
+    assert_eq!(kinds, all);
 }
 
 /// The files hold what the report tells; a replay without ticks proves nothing.
@@ -60,6 +93,6 @@ fn bad_scenes_are_refused() {
     let sandbox = Sandbox::recorded("run-bad");
     sandbox.write("bad.ron", b"(version: 1,\n colour: 3)");
     sandbox.run(&["run", "bad.ron"]).expect(3).says("bad.ron: line 2, column ");
-    sandbox.run(&["run", "a.replay"]).expect(3).says("not a snapshot, a replay or the text");
+    sandbox.run(&["run", "a.replay"]).expect(3).says("it is a replay, and a scene is wanted");
     sandbox.run(&["run", "none.ron"]).expect(2).says("none.ron: ");
 }

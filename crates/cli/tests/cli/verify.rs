@@ -147,7 +147,7 @@ fn damage_proves_nothing() {
         let cut = sandbox.run_with(&["verify", "-"], &replay[..offset]).expect(3);
         cut.says("stdin: offset ").says("nothing proven");
     }
-    sandbox.run(&["verify", "a.snap"]).expect(3).says("offset 0: not this kind of file");
+    sandbox.run(&["verify", "a.snap"]).expect(3).says("it is a snapshot, and a replay is wanted");
 }
 
 /// A failure does not stop the next replay; a divergence outweighs damage, and that a missing file.

@@ -1,0 +1,60 @@
+//! Parts that are put into a world together.
+
+use alloc::vec::Vec;
+
+use super::Face;
+use crate::constraint::{Distance, Volume};
+use crate::particle::{ParticleId, ParticleSpec};
+use crate::store::Handle;
+
+/// Particles, and what holds them together.
+///
+/// Parts name particles by [`Assembly::id`], their places in `particles`; whoever puts the assembly
+/// into a world gives them the ids that they have there.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Assembly {
+    /// In the order in which they are added.
+    pub particles: Vec<ParticleSpec>,
+    /// Added after the particles.
+    pub distances: Vec<Distance>,
+    /// Added after the distances.
+    pub volumes: Vec<Volume>,
+    /// Added last.
+    pub faces: Vec<Face>,
+}
+
+impl Assembly {
+    /// The id by which parts of an assembly name its particle of this place.
+    #[must_use]
+    pub const fn id(place: u32) -> ParticleId {
+        ParticleId(Handle::new(place, 1))
+    }
+
+    /// The parts with other ids for their particles; `None` for a part that names none of them.
+    pub(crate) fn renamed(
+        &self,
+        ids: &[ParticleId],
+    ) -> Option<(Vec<Distance>, Vec<Volume>, Vec<Face>)> {
+        let name = |id: ParticleId| {
+            let own = id.0.generation == 1;
+            ids.get(id.0.slot()).filter(|_| own).copied()
+        };
+        let distances = self.distances.iter().map(|distance| {
+            let (a, b) = (name(distance.a)?, name(distance.b)?);
+            Some(Distance { a, b, ..*distance })
+        });
+        let volumes = self.volumes.iter().map(|volume| {
+            let [a, b, c, d] = volume.corners.map(name);
+            Some(Volume { corners: [a?, b?, c?, d?], ..*volume })
+        });
+        let faces = self.faces.iter().map(|face| {
+            let [a, b, c] = face.corners.map(name);
+            Some(Face { corners: [a?, b?, c?], ..*face })
+        });
+        Some((
+            distances.collect::<Option<_>>()?,
+            volumes.collect::<Option<_>>()?,
+            faces.collect::<Option<_>>()?,
+        ))
+    }
+}

@@ -1,0 +1,28 @@
+//! Floor 1: shapes made of points. Pure functions of positions: no ids, no mass, no motion.
+//!
+//! A [`TriangleMesh`] is a list of vertices and of triangles between them, in the order of the file
+//! or of the code that made it; nothing sorts, drops or merges them unasked. Whatever is derived
+//! from a mesh names its vertices and faces by their places in these lists.
+//!
+//! ```
+//! use verlock::Vec3;
+//! use verlock::geometry::{Adjacency, TriangleMesh};
+//!
+//! // A square of two triangles.
+//! let corners = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(x, y)| Vec3::from_ints(x, y, 0));
+//! let mesh = TriangleMesh::new(corners, [[0, 1, 2], [0, 2, 3]])?;
+//! let adjacency = Adjacency::new(&mesh);
+//! assert_eq!(adjacency.edges().len(), 5);
+//! assert_eq!(adjacency.boundary().count(), 4);
+//! assert_eq!(adjacency.neighbours(1), [0, 2]);
+//! # Ok::<(), verlock::geometry::MeshError>(())
+//! ```
+
+mod adjacency;
+mod grid;
+mod mesh;
+mod weld;
+
+pub use adjacency::{Adjacency, Edge, Hinge};
+pub use grid::Grid;
+pub use mesh::{MeshBuilder, MeshError, TriangleMesh};
