@@ -1,6 +1,6 @@
 //! What people write: positions in `f32`, square roots, no bounds checks worth mentioning.
 
-use crate::cloth::{ITERATIONS, Mesh};
+use super::cloth::{ITERATIONS, Mesh};
 
 struct Link {
     ends: [u32; 2],
