@@ -1,6 +1,6 @@
 //! Cloths and plants: meshes of which bodies are made.
 
-use alloc::collections::BTreeMap;
+use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -116,6 +116,17 @@ impl Sheet {
         }
     }
 
+    /// How many particles, distances along edges and faces a grid makes, unless it is flat; meshes
+    /// of files are bounded by their texts.
+    pub(super) fn count(&self) -> [u64; 3] {
+        let Source::Grid { columns, rows, .. } = self.mesh else { return [0; 3] };
+        let [columns, rows] = [columns, rows].map(u64::from);
+        let [steps_u, steps_v] = [columns, rows].map(|n| n.saturating_sub(1));
+        let cells = steps_u * steps_v; // as all products below 2^64: (2^32 - 1)^2
+        let edges = (steps_u * rows).saturating_add(columns * steps_v).saturating_add(cells);
+        [columns * rows, edges, cells.saturating_mul(2)]
+    }
+
     /// Moves it by the scene's origin.
     pub(super) fn shift(&mut self, origin: Vec3) -> Result<(), RangeError> {
         shift(&mut self.at, origin, "at")
@@ -178,9 +189,10 @@ impl Vertices {
             Self::Top => heights().max(),
             Self::Bottom => heights().min(),
         };
-        move |vertex| match self {
-            Self::Places(places) => places.contains(&vertex),
-            _ => level == Some(mesh.vertices()[vertex as usize].y),
-        }
+        let places: BTreeSet<u32> = match self {
+            Self::Places(places) => places.iter().copied().collect(),
+            _ => BTreeSet::new(),
+        };
+        move |vertex| places.contains(&vertex) || level == Some(mesh.vertices()[vertex as usize].y)
     }
 }

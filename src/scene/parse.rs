@@ -123,16 +123,19 @@ impl Description {
     }
 
     fn validate(&self) -> Result<(), SceneError> {
-        fn shapes<S: Shape>(shapes: &[S]) -> Result<[u64; 2], SceneError> {
+        fn sum(counts: impl Iterator<Item = [u64; 3]>) -> [u64; 3] {
+            counts.fold([0; 3], |a, b| [0, 1, 2].map(|k| a[k].saturating_add(b[k])))
+        }
+        fn shapes<S: Shape>(shapes: &[S]) -> Result<[u64; 3], SceneError> {
             try_each(S::SECTION, shapes, Shape::validate)?;
-            let add =
-                |[p, l]: [u64; 2], [q, m]: [u64; 2]| [p.saturating_add(q), l.saturating_add(m)];
-            Ok(shapes.iter().map(Shape::count).fold([0; 2], add))
+            Ok(sum(shapes.iter().map(Shape::count).map(|[particles, links]| [particles, links, 0])))
         }
         self.config.validate().map_err(|why| Place::of("config").refuses(why))?;
-        let made = [shapes(&self.ropes)?, shapes(&self.nets)?, shapes(&self.clouds)?];
-        let listed = [self.particles.len(), self.distances.len()];
-        let kinds = [("particles", PARTICLES_MAX), ("distances", DISTANCES_MAX)];
+        let sheets = sum(self.cloths.iter().chain(&self.plants).map(Sheet::count));
+        let made = [shapes(&self.ropes)?, shapes(&self.nets)?, shapes(&self.clouds)?, sheets];
+        let listed = [self.particles.len(), self.distances.len(), self.faces.len()];
+        let kinds =
+            [("particles", PARTICLES_MAX), ("distances", DISTANCES_MAX), ("faces", FACES_MAX)];
         for (k, (kind, most)) in kinds.into_iter().enumerate() {
             let listed = listed[k] as u64; // usize to u64 is lossless
             let total = made.iter().fold(listed, |sum, count| sum.saturating_add(count[k]));
