@@ -64,7 +64,8 @@ pub enum DistanceForm {
     StartOfStep,
     /// Along the constraint as it is now, by `(d.d - L^2) / (d.d + L^2)` of it instead of
     /// `1 - L / |d|` (Jakobsen 2003): no square root. Right for small errors; a constraint of twice
-    /// its length is corrected by 0.6 of it instead of 0.5.
+    /// its length is corrected by 0.6 of it instead of 0.5. Particles more than 64 m apart as
+    /// [`DistanceForm::Exact`].
     RootFree,
     /// As [`DistanceForm::Exact`] within 1.4 % of the correction, up to four times the length, but
     /// without root and division and four at a time: for cloth. Rods and ropes of 0.5 mm to 64 m
