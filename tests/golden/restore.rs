@@ -9,11 +9,11 @@ use crate::support::worlds::other;
 /// From one tick that is saved to the next.
 const STRIDE: u64 = if EMULATED { 15 } else { 1 };
 
-/// The same for snapshots of megabytes in a debug build; `cargo test --release` saves every tick.
+/// The same for large snapshots in a debug build; `cargo test --release` saves every tick.
 const LARGE_STRIDE: u64 = if cfg!(debug_assertions) { 15 } else { STRIDE };
 
 /// What is large, bytes.
-const LARGE: usize = 1 << 20;
+const LARGE: usize = 1 << 18;
 
 /// However a world comes to be at a tick, the next one is the same, events included: by stepping,
 /// by `clone_from` into a world with other contents, by decoding, by `restore` over another.
