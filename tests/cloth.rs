@@ -1,11 +1,5 @@
 //! Bodies of meshes: how far cloth stretches, what wind and time do to it, whether plants stand.
 
-#![allow(
-    clippy::disallowed_types,
-    clippy::float_arithmetic,
-    reason = "strains are measured in floating point"
-)]
-
 use verlock::body::{Assembly, Cloth, Plant, Rope};
 use verlock::constraint::Distance;
 use verlock::geometry::{Grid, TriangleMesh};

@@ -1,14 +1,5 @@
 //! Particles on their own: Verlet integration against the textbook, and the limits of a world.
 
-#![allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_precision_loss,
-    clippy::disallowed_methods,
-    clippy::disallowed_types,
-    clippy::float_arithmetic,
-    reason = "textbook formulas are evaluated in floating point"
-)]
-
 use verlock::math::{Factor, Real, Vec3};
 use verlock::particle::{DISPLACEMENT_LIMIT, Particle, ParticleId, ParticleSpec, WORLD_LIMIT};
 use verlock::world::{Action, EventKind};

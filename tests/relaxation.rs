@@ -1,14 +1,5 @@
 //! Constraints against the textbook: pendulums, momentum, bounces, friction.
 
-#![allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_precision_loss,
-    clippy::disallowed_methods,
-    clippy::disallowed_types,
-    clippy::float_arithmetic,
-    reason = "textbook formulas are evaluated in floating point"
-)]
-
 use verlock::body::Face;
 use verlock::constraint::{Distance, DistanceForm, HalfSpace, Volume};
 use verlock::math::{Pcg, Real, Unit, Vec3};

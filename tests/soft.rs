@@ -1,12 +1,5 @@
 //! Springs, ropes, what tears, volumes, and faces in the wind: against their formulas.
 
-#![allow(
-    clippy::disallowed_methods,
-    clippy::disallowed_types,
-    clippy::float_arithmetic,
-    reason = "textbook formulas are evaluated in floating point"
-)]
-
 use verlock::body::{Face, FaceId};
 use verlock::constraint::{Distance, DistanceForm, DistanceId, HalfSpace, Volume, VolumeId};
 use verlock::math::{Factor, Real, Vec3};

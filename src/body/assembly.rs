@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use super::Face;
 use crate::constraint::{Distance, Volume};
+use crate::math::{Real, Vec3};
 use crate::particle::{ParticleId, ParticleSpec};
 use crate::store::Handle;
 
@@ -28,6 +29,20 @@ impl Assembly {
     #[must_use]
     pub const fn id(place: u32) -> ParticleId {
         ParticleId(Handle::new(place, 1))
+    }
+
+    /// Particles of one mass at these places, those pinned for which `pinned` says so.
+    pub(super) fn particles_at(
+        places: &[Vec3],
+        mass: Real,
+        pinned: impl Fn(u32) -> bool,
+    ) -> Vec<ParticleSpec> {
+        let particle = |(place, &position): (u32, _)| {
+            let mut spec = ParticleSpec::at(position).mass(mass);
+            spec.particle.pinned = pinned(place);
+            spec
+        };
+        (0u32..).zip(places).map(particle).collect()
     }
 
     /// The parts with other ids for their particles; `None` for a part that names none of them.

@@ -1,11 +1,14 @@
 //! Cloth from meshes.
 
+use alloc::collections::BTreeSet;
+use alloc::vec::Vec;
+
 use super::tether::tethers;
 use super::{Assembly, Face};
 use crate::constraint::{Distance, DistanceForm};
 use crate::geometry::{Adjacency, TriangleMesh};
 use crate::math::{Factor, Real, Unit};
-use crate::particle::{ParticleSpec, RangeError, check};
+use crate::particle::{RangeError, check};
 use crate::real;
 
 /// What a cloth is like. Vertices become particles, edges distances, faces faces.
@@ -61,28 +64,23 @@ impl Cloth {
         mesh: &TriangleMesh,
         pinned: impl Fn(u32) -> bool,
     ) -> Result<Assembly, RangeError> {
-        let particle = |(vertex, &position): (u32, _)| {
-            let mut spec = ParticleSpec::at(position).mass(self.mass);
-            spec.particle.pinned = pinned(vertex);
-            spec
-        };
         let adjacency = Adjacency::new(mesh);
         let mut cloth = Assembly {
-            particles: (0u32..).zip(mesh.vertices()).map(particle).collect(),
+            particles: Assembly::particles_at(mesh.vertices(), self.mass, pinned),
             ..Assembly::default()
         };
         for edge in adjacency.edges() {
             cloth.distances.extend(self.link(mesh, edge.ends, self.stiffness)?);
         }
         // Along the edges only: across them the way would be shorter than the cloth is.
-        let tethers = if self.is_tethered() { tethers(&cloth) } else { alloc::vec::Vec::new() };
+        let tethers = if self.is_tethered() { tethers(&cloth) } else { Vec::new() };
         if self.bending > Unit::ZERO {
             for hinge in adjacency.hinges() {
                 cloth.distances.extend(self.link(mesh, hinge.tips, self.bending)?);
             }
         }
         cloth.distances.extend(tethers);
-        let flat: alloc::collections::BTreeSet<u32> = mesh.degenerate_faces().collect();
+        let flat: BTreeSet<u32> = mesh.degenerate_faces().collect();
         let faces = (0u32..).zip(mesh.faces()).filter(|(face, _)| !flat.contains(face));
         let face = |corners: &[u32; 3]| Face::new(corners.map(Assembly::id)).drag(self.drag);
         cloth.faces = faces.map(|(_, corners)| face(corners)).collect();

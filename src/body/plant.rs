@@ -62,7 +62,7 @@ impl Plant {
         Ok(plant)
     }
 
-    /// Corners of a triangle around the roots, level with them; two parts in three are its radius.
+    /// Corners of a triangle around the middle of the roots, level with it.
     fn stakes(&self, middle: Vec3) -> [Vec3; 3] {
         let (one, half) = (self.spread, Real::from_raw(self.spread.raw() / 2));
         // 0.866 of the spread: 7/8 are near enough.

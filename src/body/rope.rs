@@ -6,7 +6,7 @@ use super::Assembly;
 use super::tether::tethers;
 use crate::constraint::{Distance, DistanceForm};
 use crate::math::{Real, Unit, Vec3};
-use crate::particle::{ParticleSpec, RangeError, WORLD_LIMIT, check, within};
+use crate::particle::{RangeError, WORLD_LIMIT, check, within};
 use crate::real;
 
 /// What a rope is like: particles in a line, each linked to the next.
@@ -37,13 +37,8 @@ impl Rope {
         pinned: impl Fn(u32) -> bool,
     ) -> Result<Assembly, RangeError> {
         check(points.iter().all(|&point| within(point, WORLD_LIMIT)), "position")?;
-        let particle = |(place, &position): (u32, _)| {
-            let mut spec = ParticleSpec::at(position).mass(self.mass);
-            spec.particle.pinned = pinned(place);
-            spec
-        };
         let mut rope = Assembly {
-            particles: (0u32..).zip(points).map(particle).collect(),
+            particles: Assembly::particles_at(points, self.mass, pinned),
             distances: self.links(points, 1, self.stiffness)?,
             ..Assembly::default()
         };

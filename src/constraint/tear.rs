@@ -55,13 +55,14 @@ impl Tearable {
     }
 }
 
-/// Adds the strain above what does no damage to the damage; both end at their greatest values.
+/// Adds the strain above what does no damage to the damage, at least the least step, so that a
+/// toughness of 0 breaks at once. Damage ends at the greatest number.
 #[cold]
 fn wear(distance: &Distance, length_sq: i128) -> Tear {
     let rest = i128::from(distance.rest_length.raw());
     let length = root_nearest_wide(length_sq.cast_unsigned()).cast_signed(); // below 2^63
     let strain = round_div_wide((length - rest) << 16, rest);
-    let excess = (strain - i128::from(distance.tear_strain.raw())).max(0);
+    let excess = (strain - i128::from(distance.tear_strain.raw())).max(1);
     let damage = i128::from(distance.damage.raw()) + excess;
     let damage = Factor::from_raw(to_i32(to_i64(damage.min(i128::from(i32::MAX)))));
     if damage > distance.toughness { Tear::Broken(damage) } else { Tear::Worn(damage) }
@@ -69,3 +70,21 @@ fn wear(distance: &Distance, length_sq: i128) -> Tear {
 
 /// Nothing is longer, so that squares fit: `1,024 m * 32,768` is 2^49 raw units.
 const _: () = assert!(Distance::REST_LENGTH_MAX.raw() <= Real::ONE.raw() << 10);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A strain that rounds to the threshold does the least damage all the same.
+    #[test]
+    fn the_least_excess_is_damage() {
+        let ids = [ParticleId::default(); 2];
+        let tear_strain = Factor::from_raw(Factor::ONE.raw() / 2);
+        let rod = Distance::new(ids[0], ids[1], Real::ONE).tear_strain(tear_strain);
+        let least = Factor::from_raw(1);
+        let length = i128::from(Real::ONE.raw()) * 3 / 2 + 1;
+        assert_eq!(wear(&rod, length * length), Tear::Broken(least));
+        let tough = Distance { toughness: least, ..rod };
+        assert_eq!(wear(&tough, length * length), Tear::Worn(least));
+    }
+}

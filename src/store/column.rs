@@ -9,8 +9,8 @@ use super::Memo;
 /// Records that change seldom: shared between clones, copied when one of them is edited.
 ///
 /// A clone costs a reference count, so that a ring of saved worlds holds one copy of what did not
-/// change. Every way to write goes through [`edit`](Self::edit), which drops the kept hash and
-/// raises the mark that tells the owner to rebuild what it derived.
+/// change. Every way to write drops the kept hash; [`edit`](Self::edit) also raises the mark that
+/// tells the owner to rebuild what it derived.
 #[derive(Clone, Debug)]
 pub(crate) struct Column<T> {
     shared: Arc<Shared<T>>,

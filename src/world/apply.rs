@@ -162,27 +162,17 @@ impl World {
             return;
         }
         let removed = core::mem::take(&mut self.work.removed);
-        let orphans: Vec<_> = self
-            .distances()
-            .filter(|(_, distance)| removed.contains(&distance.a) || removed.contains(&distance.b))
-            .map(|(id, _)| id)
-            .collect();
-        for id in orphans {
-            self.state.remove_distance(id);
-            self.report(EventKind::Removed { object: ObjectId::Distance(id) });
-        }
-        let needs = |corners: &[ParticleId]| corners.iter().any(|id| removed.contains(id));
-        let orphans = self.volumes().filter(|(_, volume)| needs(&volume.corners));
-        let orphans: Vec<_> = orphans.map(|(id, _)| id).collect();
-        for id in orphans {
-            self.state.volumes.remove(id.0);
-            self.report(EventKind::Removed { object: ObjectId::Volume(id) });
-        }
-        let orphans = self.faces().filter(|(_, face)| needs(&face.corners));
-        let orphans: Vec<_> = orphans.map(|(id, _)| id).collect();
-        for id in orphans {
-            self.state.faces.remove(id.0);
-            self.report(EventKind::Removed { object: ObjectId::Face(id) });
+        let needs = |ids: &[ParticleId]| ids.iter().any(|id| removed.contains(id));
+        let distances = self.distances().filter(|(_, distance)| needs(&[distance.a, distance.b]));
+        let volumes = self.volumes().filter(|(_, volume)| needs(&volume.corners));
+        let faces = self.faces().filter(|(_, face)| needs(&face.corners));
+        let distances = distances.map(|(id, _)| ObjectId::from(id));
+        let volumes = volumes.map(|(id, _)| ObjectId::from(id));
+        let faces = faces.map(|(id, _)| ObjectId::from(id));
+        let orphans: Vec<_> = distances.chain(volumes).chain(faces).collect();
+        for object in orphans {
+            let done = self.remove(object);
+            debug_assert!(done.is_ok(), "{object} was alive");
         }
     }
 

@@ -165,7 +165,7 @@ impl World {
         state.phase = (state.phase + 1) % pace.phases();
     }
 
-    /// Relaxes distances and half-spaces, `iterations` times.
+    /// Relaxes distances, volumes and half-spaces, `iterations` times.
     fn relax(&mut self) {
         self.work.taken.clear();
         self.work.taken.resize(self.caches.plan.giving(), 0);
