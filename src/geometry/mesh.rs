@@ -3,7 +3,10 @@
 use alloc::vec::Vec;
 use core::fmt;
 
+use super::Triangle;
+use super::triangle::is_in_range;
 use crate::math::Vec3;
+use crate::store::{Hash, Hasher};
 
 /// Vertices and the triangles between them. Immutable; the same lists give an equal mesh.
 ///
@@ -14,6 +17,7 @@ use crate::math::Vec3;
 pub struct TriangleMesh {
     vertices: Vec<Vec3>,
     faces: Vec<[u32; 3]>,
+    hash: Hash,
 }
 
 /// A mesh in the making, each part of it checked as it is added.
@@ -33,7 +37,7 @@ pub enum MeshError {
     TooManyVertices,
     /// There are more than [`TriangleMesh::FACES_MAX`] faces.
     TooManyFaces,
-    /// A coordinate is beyond [`TriangleMesh::COORDINATE_MAX`].
+    /// A coordinate is beyond [`Triangle::COORDINATE_MAX`].
     OutOfRange {
         /// The vertex that has it.
         vertex: u32,
@@ -45,7 +49,7 @@ pub enum MeshError {
         /// What it names.
         vertex: u32,
     },
-    /// A face spans more than [`TriangleMesh::SPAN_MAX`] along an axis.
+    /// A face spans more than [`Triangle::SPAN_MAX`] along an axis.
     TooLong {
         /// The face.
         face: u32,
@@ -59,11 +63,6 @@ impl TriangleMesh {
     pub const VERTICES_MAX: usize = 1 << 22;
     /// The most faces.
     pub const FACES_MAX: usize = 1 << 23;
-    /// No coordinate is beyond +-2^36 m (raw: 2^60), as in a world.
-    pub const COORDINATE_MAX: i64 = 1 << 60;
-    /// No face spans more than this along an axis, raw: 131,072 m less a step. With that, exact
-    /// predicates on triangles whose boxes meet fit 128 bits.
-    pub const SPAN_MAX: i64 = (1 << 41) - 1;
 
     /// The mesh of these vertices and faces. O(vertices + faces).
     ///
@@ -91,19 +90,41 @@ impl TriangleMesh {
         &self.faces
     }
 
-    /// The positions of the corners of every face.
+    /// The triangle of every face.
     #[must_use]
-    pub fn triangles(&self) -> impl ExactSizeIterator<Item = [Vec3; 3]> {
-        self.faces.iter().map(|&corners| self.positions(corners))
+    pub fn triangles(&self) -> impl ExactSizeIterator<Item = Triangle> {
+        self.faces.iter().map(|&corners| self.between(corners))
+    }
+
+    /// The triangle of a face.
+    ///
+    /// # Panics
+    /// If there is no such face.
+    #[inline]
+    #[must_use]
+    pub fn triangle(&self, face: u32) -> Triangle {
+        self.between(self.faces[face as usize])
+    }
+
+    /// The hash of the vertices and faces, which names the mesh: meshes are equal if, and but for a
+    /// chance of 2^-128 only if, their hashes are. Of the number of vertices in 64 bits, then every
+    /// coordinate in 64, then every corner in 32, all little-endian.
+    #[must_use]
+    pub const fn content_hash(&self) -> Hash {
+        self.hash
     }
 
     /// The faces without an area, in order: a corner is named twice, or all lie on one line. Exact.
     pub fn degenerate_faces(&self) -> impl Iterator<Item = u32> {
-        (0..).zip(self.triangles()).filter(|(_, triangle)| is_flat(triangle)).map(|(face, _)| face)
+        (0..)
+            .zip(self.triangles())
+            .filter(|(_, triangle)| triangle.is_degenerate())
+            .map(|(face, _)| face)
     }
 
-    fn positions(&self, corners: [u32; 3]) -> [Vec3; 3] {
-        corners.map(|vertex| self.vertices[vertex as usize])
+    #[inline]
+    fn between(&self, corners: [u32; 3]) -> Triangle {
+        Triangle::between(corners.map(|vertex| self.vertices[vertex as usize]))
     }
 }
 
@@ -117,8 +138,7 @@ impl MeshBuilder {
             return Err(MeshError::TooManyVertices);
         }
         let vertex = self.vertices_len();
-        let range = -TriangleMesh::COORDINATE_MAX..=TriangleMesh::COORDINATE_MAX;
-        if !position.raw().iter().all(|c| range.contains(c)) {
+        if !is_in_range(position) {
             return Err(MeshError::OutOfRange { vertex });
         }
         self.vertices.push(position);
@@ -140,20 +160,24 @@ impl MeshBuilder {
             let found = self.vertices.get(vertex as usize);
             *position = *found.ok_or(MeshError::NoSuchVertex { face, vertex })?;
         }
-        if !cfg!(planted) && span(&triangle) > TriangleMesh::SPAN_MAX {
+        if !cfg!(planted) && !Triangle::between(triangle).is_short() {
             return Err(MeshError::TooLong { face });
         }
         self.faces.push(corners);
         Ok(face)
     }
 
-    /// The mesh. O(1).
+    /// The mesh. O(vertices + faces).
     ///
     /// # Errors
     /// [`MeshError::NoFace`].
     pub fn build(self) -> Result<TriangleMesh, MeshError> {
         let Self { vertices, faces } = self;
-        if faces.is_empty() { Err(MeshError::NoFace) } else { Ok(TriangleMesh { vertices, faces }) }
+        if faces.is_empty() {
+            return Err(MeshError::NoFace);
+        }
+        let hash = content_hash(&vertices, &faces);
+        Ok(TriangleMesh { vertices, faces, hash })
     }
 
     /// How many vertices there are so far: at most 2^22.
@@ -169,22 +193,17 @@ impl MeshBuilder {
     }
 }
 
-/// The length of the triangle along the axis where it is longest: at most 2^61 raw.
-fn span(triangle: &[Vec3; 3]) -> i64 {
-    let [a, b, c] = triangle.map(Vec3::raw);
-    let along = |k: usize| a[k].max(b[k]).max(c[k]) - a[k].min(b[k]).min(c[k]);
-    along(0).max(along(1)).max(along(2))
-}
-
-/// Whether the corners of a face lie on one line.
-fn is_flat(triangle: &[Vec3; 3]) -> bool {
-    let [a, b, c] = triangle.map(Vec3::raw);
-    let minor = |j: usize, k: usize| {
-        // Sides are below 2^41 along each axis: products are below 2^82.
-        let side = |p: &[i64; 3], k: usize| i128::from(p[k] - a[k]);
-        side(&b, j) * side(&c, k) == side(&b, k) * side(&c, j)
-    };
-    minor(0, 1) && minor(1, 2) && minor(2, 0)
+/// See [`TriangleMesh::content_hash`].
+fn content_hash(vertices: &[Vec3], faces: &[[u32; 3]]) -> Hash {
+    let mut hasher = Hasher::default();
+    hasher.write(&(vertices.len() as u64).to_le_bytes());
+    for position in vertices {
+        position.raw().iter().for_each(|c| hasher.write(&c.to_le_bytes()));
+    }
+    for corner in faces.iter().flatten() {
+        hasher.write(&corner.to_le_bytes());
+    }
+    hasher.finish()
 }
 
 impl fmt::Display for MeshError {

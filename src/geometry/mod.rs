@@ -18,11 +18,15 @@
 //! # Ok::<(), verlock::geometry::MeshError>(())
 //! ```
 
+mod aabb;
 mod adjacency;
 mod grid;
 mod mesh;
+mod triangle;
 mod weld;
 
+pub use aabb::Aabb;
 pub use adjacency::{Adjacency, Edge, Hinge};
 pub use grid::Grid;
 pub use mesh::{MeshBuilder, MeshError, TriangleMesh};
+pub use triangle::{Triangle, TriangleError};

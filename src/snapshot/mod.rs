@@ -12,17 +12,16 @@ mod codec;
 mod container;
 mod diff;
 mod error;
-mod hash;
 mod load;
 mod save;
 mod schema;
 
+pub use crate::store::{Hash, ParseHashError};
 pub(crate) use codec::{decode_record, decode_rows, encode_record};
 pub use container::{Container, Entry};
 pub(crate) use container::{ContainerKind, ContainerWriter};
 pub use diff::{Difference, Values, diff};
 pub use error::{DecodeError, DecodeReason};
-pub use hash::{Hash, ParseHashError};
 pub use load::Snapshot;
 pub use schema::{Field, FieldKind, Section, Value};
 

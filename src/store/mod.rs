@@ -9,6 +9,7 @@
 
 mod column;
 mod handle;
+mod hash;
 mod memo;
 mod slots;
 mod table;
@@ -16,6 +17,8 @@ mod table;
 pub(crate) use column::Column;
 pub use handle::Handle;
 pub(crate) use handle::slot_index;
+pub(crate) use hash::Hasher;
+pub use hash::{Hash, ParseHashError};
 pub(crate) use memo::Memo;
 pub(crate) use slots::Slots;
 pub(crate) use table::Table;

@@ -3,11 +3,11 @@
 use std::iter::repeat_n;
 
 use verlock::Vec3;
-use verlock::geometry::{MeshBuilder, MeshError, TriangleMesh};
+use verlock::geometry::{MeshBuilder, MeshError, Triangle, TriangleMesh};
 use verlock::particle::{PARTICLES_MAX, WORLD_LIMIT};
 
-const FAR: i64 = TriangleMesh::COORDINATE_MAX;
-const SPAN: i64 = TriangleMesh::SPAN_MAX;
+const FAR: i64 = Triangle::COORDINATE_MAX;
+const SPAN: i64 = Triangle::SPAN_MAX;
 
 fn triangle(corners: [[i64; 3]; 3]) -> Result<TriangleMesh, MeshError> {
     TriangleMesh::new(corners.map(Vec3::from_raw), [[0, 1, 2]])
@@ -94,4 +94,14 @@ fn faces_without_an_area_are_listed_exactly() {
     let mesh = TriangleMesh::new(places.map(Vec3::from_raw), faces).expect("in range");
     assert_eq!(mesh.degenerate_faces().collect::<Vec<_>>(), [1, 3, 4, 5]);
     assert_eq!(mesh.triangles().len(), 7);
+}
+
+#[test]
+fn the_hash_names_the_contents() {
+    let places = [[0; 3], [1 << 24, 0, 0], [0, -(1 << 24), 1 << 40]].map(Vec3::from_raw);
+    let mesh = |faces: [[u32; 3]; 1]| TriangleMesh::new(places, faces).expect("in range");
+    // By another program: 3 in 64 bits, nine coordinates, three corners.
+    let expected = "0b1bfb1f563ebfc4caae7afb21bd81c4";
+    assert_eq!(mesh([[0, 1, 2]]).content_hash().to_string(), expected);
+    assert_ne!(mesh([[1, 2, 0]]).content_hash(), mesh([[0, 1, 2]]).content_hash());
 }

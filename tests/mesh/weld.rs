@@ -1,7 +1,7 @@
 //! Vertices joined, by comparing all with all.
 
 use proptest::prelude::*;
-use verlock::geometry::{MeshError, TriangleMesh};
+use verlock::geometry::{MeshError, Triangle, TriangleMesh};
 use verlock::{Real, Vec3};
 
 use super::{any_mesh, cases, mesh};
@@ -42,7 +42,7 @@ proptest! {
 #[test]
 fn a_cube_of_loose_faces_becomes_a_cube() {
     let cube = mesh("cube.obj");
-    let loose = cube.triangles().flatten();
+    let loose = cube.triangles().flat_map(|triangle| *triangle.corners());
     let faces = (0..12).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]);
     let loose = TriangleMesh::new(loose, faces).expect("in range");
     assert_eq!(loose.vertices().len(), 36);
@@ -68,7 +68,7 @@ fn vertices_join_the_first_that_is_near_and_do_not_move_it() {
 
 #[test]
 fn a_weld_that_makes_no_mesh_is_refused() {
-    let far = TriangleMesh::SPAN_MAX;
+    let far = Triangle::SPAN_MAX;
     let places = [[-5, 0, 0], [0, 0, 0], [far, 0, 0]].map(Vec3::from_raw);
     let mesh = TriangleMesh::new(places, [[1, 1, 2]]).expect("in range");
     assert_eq!(mesh.welded(Real::from_raw(5)), Err(MeshError::TooLong { face: 0 }));

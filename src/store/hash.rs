@@ -1,9 +1,9 @@
-//! State hashes.
+//! Hashes of bytes.
 
 use core::fmt;
 use core::str::FromStr;
 
-use xxhash_rust::xxh3::xxh3_128;
+use xxhash_rust::xxh3::{Xxh3Default, xxh3_128};
 
 /// XXH3-128 of some bytes: finds accidents, not forgers.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
@@ -26,6 +26,22 @@ impl Hash {
     #[must_use]
     pub const fn from_bytes(bytes: [u8; 16]) -> Self {
         Self(u128::from_le_bytes(bytes))
+    }
+}
+
+/// The hash of bytes that come piece by piece.
+#[derive(Default)]
+pub(crate) struct Hasher(Xxh3Default);
+
+impl Hasher {
+    /// Appends bytes.
+    pub(crate) fn write(&mut self, bytes: &[u8]) {
+        self.0.update(bytes);
+    }
+
+    /// The [hash](Hash::of) of all of them.
+    pub(crate) fn finish(&self) -> Hash {
+        Hash(self.0.digest128())
     }
 }
 
