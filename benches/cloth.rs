@@ -1,6 +1,6 @@
 //! Cloth beside an `f32` twin, in one run: ratios, residuals, threads, hash and save.
 //!
-//! The same as `cargo run --release` in `benches/peers`; see there for what is measured.
+//! The same as `cargo run --release cloth` in `benches/peers`; see there for what is measured.
 #![allow(
     missing_docs,
     clippy::cast_possible_truncation,
@@ -13,9 +13,11 @@
     reason = "a benchmark of floating point"
 )]
 
-#[path = "peers/src/main.rs"]
-mod peers;
+#[path = "peers/src/clock.rs"]
+mod clock;
+#[path = "peers/src/cloth/mod.rs"]
+mod cloth;
 
 fn main() {
-    peers::main();
+    cloth::run();
 }

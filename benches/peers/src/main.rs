@@ -1,148 +1,20 @@
-//! Ratios of one run: verlock beside an `f32` twin of the same loop.
+//! Ratios of one run: verlock beside what people would write or use instead.
 //!
-//! `cargo run --release` here. The machine's speed cancels out; take the smallest of several runs.
+//! `cargo run --release [NAME...]` here; without names, everything. The machine's speed cancels out;
+//! take the smallest of several runs.
 
+mod clock;
 mod cloth;
-mod twin;
 
-use std::hint::black_box;
-use std::time::{Duration, Instant};
+/// What is measured, by name.
+const ALL: [(&str, fn()); 1] = [("cloth", cloth::run)];
 
-use rayon::{ThreadPool, ThreadPoolBuilder};
-use verlock::constraint::DistanceForm;
-use verlock::world::{Action, Command};
-use verlock::{World, WorldConfig};
-
-const TICKS: u32 = 20;
-const ROUNDS: u32 = 15;
-
-/// Rounds of a measurement: with `--test` one, which only shows that it runs.
-fn rounds() -> u32 {
-    if std::env::args().any(|argument| argument == "--test") { 1 } else { ROUNDS }
-}
-
-/// The shortest time of a tick over all rounds; every round starts from the same state.
-fn shortest<S: Clone>(start: &S, mut tick: impl FnMut(&mut S)) -> Duration {
-    let round = |_| {
-        let mut state = start.clone();
-        let clock = Instant::now();
-        (0..TICKS).for_each(|_| tick(&mut state));
-        let time = clock.elapsed() / TICKS;
-        black_box(state);
-        time
-    };
-    (0..rounds()).map(round).min().unwrap_or_default()
-}
-
-/// Prints all measurements.
-pub fn main() {
-    cloth100();
-    threads();
-    rollback();
-}
-
-fn step(world: &mut World) {
-    world.step(&[]);
-}
-
-/// One thread, whatever the machine has.
-fn alone() -> ThreadPool {
-    pool(1)
-}
-
-fn pool(threads: usize) -> ThreadPool {
-    ThreadPoolBuilder::new().num_threads(threads).build().expect("threads")
-}
-
-/// The relaxation against the same in `f32`, early (links within 1.4 lengths) and when the upper
-/// links are stretched to many times their lengths.
-fn cloth100() {
-    let mesh = cloth::Mesh::grid(100, 0.02);
-    let links = mesh.links.len() as f64 * f64::from(cloth::ITERATIONS);
-    let per_link = |time: Duration| time.as_secs_f64() * 1e9 / links;
-    println!("cloth100: {} links, {} iterations", mesh.links.len(), cloth::ITERATIONS);
-    let orders = [("f32, grid order", mesh.links.clone()), ("f32, coloured", mesh.coloured())];
-    let twins = orders.map(|(name, links)| {
-        let time = shortest(&twin::Cloth::new(&mesh, links), twin::Cloth::step);
-        println!("{name:<24} {:>7.2} ns a link", per_link(time));
-        (name, time)
-    });
-    let forms = [
-        (DistanceForm::DivisionFree, 1),
-        (DistanceForm::DivisionFree, 80),
-        (DistanceForm::Exact, 1),
-        (DistanceForm::RootFree, 1),
-    ];
-    for (form, ticks) in forms {
-        let mut world = cloth::world(&mesh, form);
-        (0..ticks).for_each(|_| step(&mut world));
-        let time = alone().install(|| shortest(&world, step));
-        let label = format!("{form:?} from tick {ticks}");
-        print!("{label:<24} {:>7.2} ns a link", per_link(time));
-        for (name, twin) in twins {
-            print!(", {name} * {:.2}", time.as_secs_f64() / twin.as_secs_f64());
+fn main() {
+    let names: Vec<_> = std::env::args().skip(1).filter(|name| !name.starts_with('-')).collect();
+    for (name, run) in ALL {
+        if names.is_empty() || names.iter().any(|wanted| wanted == name) {
+            println!("== {name}");
+            run();
         }
-        println!();
     }
-    residuals(&mesh);
-}
-
-/// How far from their lengths the links are after 100 ticks: root mean square.
-fn residuals(mesh: &cloth::Mesh) {
-    let residual = |form| {
-        let mut world = cloth::world(mesh, form);
-        (0..100).for_each(|_| step(&mut world));
-        cloth::residual(&world)
-    };
-    let exact = residual(DistanceForm::Exact);
-    println!("residual after 100 ticks: exact form {exact:.4}");
-    for form in [DistanceForm::DivisionFree, DistanceForm::RootFree] {
-        let other = residual(form);
-        println!("{form:?}: {other:.4}, exact * {:.3}", other / exact);
-    }
-}
-
-/// One thread against two, with the same hash.
-fn threads() {
-    let mesh = cloth::Mesh::grid(200, 0.02);
-    let mut start = cloth::world(&mesh, DistanceForm::DivisionFree);
-    start.step(&[]);
-    let [one, two] = [1, 2].map(|threads| {
-        pool(threads).install(|| {
-            let time = shortest(&start, step);
-            let mut world = start.clone();
-            (0..TICKS).for_each(|_| step(&mut world));
-            (time, world.hash())
-        })
-    });
-    assert_eq!(one.1, two.1, "threads change nothing");
-    let gain = one.0.as_secs_f64() / two.0.as_secs_f64();
-    println!("cloth200, {} links: 2 threads are {gain:.2} times as fast", mesh.links.len());
-}
-
-/// What a rollback game does besides stepping: the hash of a tick, and a saved world.
-fn rollback() {
-    let mesh = cloth::Mesh::grid(100, 0.02);
-    let mut world = cloth::world(&mesh, DistanceForm::DivisionFree);
-    let config = WorldConfig { substeps: 4, iterations: 1, ..*world.config() };
-    let action = Action::Configure { config };
-    world.step(&[Command { player: 0, sequence: 0, action }]);
-    let tick = alone().install(|| shortest(&world, step));
-    // Hashes of what changed since the last tick: all that moves.
-    let hash = shortest(&world, |world| {
-        black_box(world.hash());
-    });
-    let share = 100.0 * hash.as_secs_f64() / tick.as_secs_f64();
-    println!("cloth100 at 4 x 1: a tick {tick:?}, its hash {hash:?}, {share:.1} %");
-    let particles = world.particles();
-    let bytes = size_of_val(particles.positions_raw()) + size_of_val(particles.displacements_raw());
-    let (source, mut target) = (vec![1_u8; bytes], vec![0_u8; bytes]);
-    let copy = shortest(&(), |()| {
-        target.copy_from_slice(black_box(&source));
-        black_box(&mut target);
-    });
-    let mut saved = world.clone();
-    let save = shortest(&(), |()| saved.clone_from(black_box(&world)));
-    let ratio = save.as_secs_f64() / copy.as_secs_f64();
-    println!("clone_from {save:?}, a copy of the {bytes} bytes that move {copy:?}: {ratio:.2}");
 }

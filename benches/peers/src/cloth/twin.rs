@@ -1,6 +1,6 @@
 //! What people write: positions in `f32`, square roots, no bounds checks worth mentioning.
 
-use super::cloth::{ITERATIONS, Mesh};
+use super::scene::{ITERATIONS, Mesh};
 
 struct Link {
     ends: [u32; 2],
