@@ -5,7 +5,7 @@
 
 #[path = "../fuzz/src/laws/mod.rs"]
 #[allow(unreachable_pub, reason = "public in the library that the fuzz targets share")]
-mod laws;
+pub mod laws;
 
 use std::env;
 use std::fs;

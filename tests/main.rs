@@ -20,6 +20,8 @@ mod cloth;
 mod commands;
 /// What the fuzzers start from, without a fuzzer.
 mod corpus;
+/// Exact predicates and triangles against oracles of big integers.
+mod detector;
 /// What a renderer is told.
 mod draw;
 /// Every fixture scene as it was accepted; saved, moved and threaded meanwhile.

@@ -22,11 +22,18 @@ mod aabb;
 mod adjacency;
 mod grid;
 mod mesh;
+mod predicates;
 mod triangle;
+mod triangle_triangle;
 mod weld;
 
 pub use aabb::Aabb;
 pub use adjacency::{Adjacency, Edge, Hinge};
 pub use grid::Grid;
 pub use mesh::{MeshBuilder, MeshError, TriangleMesh};
+pub use predicates::{orient2d, orient3d};
 pub use triangle::{Triangle, TriangleError};
+pub use triangle_triangle::{
+    Feature, Intersection, IntersectionPoint, intersection_triangle_triangle,
+    overlap_triangle_triangle,
+};

@@ -28,6 +28,7 @@
 )]
 
 mod decimal;
+pub(crate) mod determinant;
 mod float;
 mod fraction;
 mod real;

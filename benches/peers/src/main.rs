@@ -1,7 +1,7 @@
 //! Ratios of one run: verlock beside what people would write or use instead.
 //!
-//! `cargo run --release [NAME...]` here; without names, everything. The machine's speed cancels out;
-//! take the smallest of several runs.
+//! `cargo run --release [NAME...]` here; without names, everything. The machine's speed cancels
+//! out; take the smallest of several runs.
 
 mod clock;
 mod cloth;

@@ -7,6 +7,7 @@ mod commands;
 pub mod container;
 mod draw;
 mod obj;
+pub mod oracle;
 mod relax;
 mod replay;
 mod scene;

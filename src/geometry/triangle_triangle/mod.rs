@@ -1,0 +1,107 @@
+//! Whether and where two triangles meet: exactly.
+//!
+//! The test of Devillers and Guigue (*Faster Triangle-Triangle Intersection Tests*, INRIA RR-4488,
+//! 2002): on which side of each plane the corners of the other triangle are, six signs; they say
+//! how to turn and to mirror both triangles so that two more signs decide. Here no sign is ever
+//! wrong, which leaves two gaps of the published code, both closed: triangles in one plane, and
+//! triangles without an area ([`flat`]).
+//!
+//! Turning and mirroring is looked up, not branched upon: branches that half of all pairs take are
+//! what such a test spends its time on.
+
+mod flat;
+mod intersection;
+mod point;
+mod polygon;
+mod sides;
+
+pub use intersection::{Feature, Intersection, IntersectionPoint, intersection_triangle_triangle};
+
+use super::Triangle;
+use crate::math::Vec3;
+use crate::math::determinant::{Full, Middle, Narrow, Width};
+use crate::math::wide::sub;
+use sides::{Sides, order, ordered};
+
+/// The corners of a triangle, raw.
+type Corners = [[i64; 3]; 3];
+
+/// Whether two triangles have a point in common; touching counts. Exact. O(1).
+///
+/// ```
+/// use verlock::geometry::{Triangle, overlap_triangle_triangle};
+/// use verlock::{Real, Vec3};
+///
+/// let floor = Triangle::new([Vec3::ZERO, Vec3::X, Vec3::Z])?;
+/// let above = |y| Triangle::new([Vec3::X, Vec3::Y, Vec3::Z].map(|p| p + Vec3::Y * y));
+/// assert!(overlap_triangle_triangle(&floor, &above(Real::ZERO)?));
+/// assert!(!overlap_triangle_triangle(&floor, &above(Real::ULP)?));
+/// # Ok::<(), verlock::geometry::TriangleError>(())
+/// ```
+#[inline]
+#[must_use]
+pub fn overlap_triangle_triangle(a: &Triangle, b: &Triangle) -> bool {
+    let boxes = [a.bounds(), b.bounds()];
+    boxes[0].overlaps(&boxes[1]) && {
+        let corners = [a, b].map(|triangle| triangle.corners().map(Vec3::raw));
+        // Each spans less than 2^41 and they meet, so that both span less than 2^42.
+        let span = boxes[0].union(boxes[1]).span();
+        if span <= Narrow::SPAN_MAX {
+            overlap::<Narrow>(&corners[0], &corners[1])
+        } else if span <= Middle::SPAN_MAX {
+            overlap::<Middle>(&corners[0], &corners[1])
+        } else {
+            overlap::<Full>(&corners[0], &corners[1])
+        }
+    }
+}
+
+fn overlap<W: Width>(a: &Corners, b: &Corners) -> bool {
+    match relation::<W>(a, b) {
+        Relation::Apart => false,
+        Relation::Flat => flat::overlap(a, b),
+        Relation::Across(orders) => {
+            let [a, b] = [ordered(a, orders[0]), ordered(b, orders[1])];
+            // Both triangles cross the line of the two planes. The interval of each begins where
+            // the other's has not ended yet.
+            let between = sub(b[0], a[0]);
+            let first = W::cross(sub(a[1], a[0]), between);
+            let second = W::cross(sub(a[2], a[0]), sub(b[2], a[0]));
+            (W::sign(&first, sub(b[1], a[0])) <= 0) & (W::sign(&second, between) <= 0)
+        }
+    }
+}
+
+/// How the planes of two triangles part them.
+enum Relation {
+    /// One lies on one side of the other's plane.
+    Apart,
+    /// They lie in one plane, or one has none.
+    Flat,
+    /// Each has corners on both sides of the other's plane, or on it. In these orders the first
+    /// corner of each is alone on its side, and in front of the other's plane or on it.
+    Across([[u8; 3]; 2]),
+}
+
+#[inline]
+fn relation<W: Width>(a: &Corners, b: &Corners) -> Relation {
+    let of_a = sides::<W>(a, b);
+    if of_a.are_one() {
+        return Relation::Apart;
+    }
+    let of_b = sides::<W>(b, a);
+    if of_b.are_one() {
+        return Relation::Apart;
+    }
+    if of_a.are_none() || of_b.are_none() {
+        return Relation::Flat;
+    }
+    Relation::Across([order(of_a, of_b), order(of_b, of_a)])
+}
+
+/// On which sides of the plane of `b` the corners of `a` are.
+#[inline]
+fn sides<W: Width>(a: &Corners, b: &Corners) -> Sides {
+    let normal = W::cross(sub(b[1], b[0]), sub(b[2], b[0]));
+    Sides::of(a.map(|corner| W::sign(&normal, sub(corner, b[0]))))
+}

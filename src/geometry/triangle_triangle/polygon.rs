@@ -1,0 +1,110 @@
+//! What triangles have in common that lie in one plane, or of which one is a segment or a point.
+
+use super::Corners;
+use super::flat::{axis_of, normal, orient};
+use super::intersection::{Feature, Intersection, IntersectionPoint};
+use super::point::{Owner, Pair, ends};
+use crate::math::determinant::{Full, Width};
+use crate::math::wide::sub;
+
+/// Points of both triangles, each once unless a triangle is flat. Every corner of what is common is
+/// among them: it is a corner of one triangle, or edges cross there, or an edge and a face.
+#[derive(Default)]
+struct Points {
+    all: [Option<IntersectionPoint>; Self::MAX],
+    len: usize,
+}
+
+/// See [`intersection_triangle_triangle`](super::intersection_triangle_triangle).
+pub(super) fn intersection(a: &Corners, b: &Corners) -> Option<Intersection> {
+    let pair = Pair::new(a, b);
+    let mut points = Points::default();
+    for corner in 0..3 {
+        points.extend(pair.corner(Owner::A, corner));
+        // A corner of both has been taken.
+        let of_b = pair.corner(Owner::B, corner);
+        points.extend(of_b.filter(|point| !matches!(point.on_a, Feature::Vertex(_))));
+    }
+    for edge_a in 0..3 {
+        for edge_b in 0..3 {
+            points.extend(pair.edges_crossing(edge_a, edge_b));
+        }
+    }
+    let flat = [a, b].map(|corners| axis_of(corners).is_none());
+    if flat == [false; 2] {
+        return points.around();
+    }
+    for owner in [Owner::A, Owner::B] {
+        let through = (0..3).filter(|&edge| pierces(&pair, owner, edge));
+        points.extend(through.map(|edge| pair.crossing(owner, [edge, (edge + 1) % 3])));
+    }
+    points.along()
+}
+
+/// Whether the inside of an edge crosses that of the other triangle's face.
+fn pierces(pair: &Pair<'_>, owner: Owner, edge: u8) -> bool {
+    let [own, other] = pair.seen_by(owner);
+    let [from, to] = ends(own, edge);
+    let normal = normal(other);
+    let [below, above] = [from, to].map(|end| Full::sign(&normal, sub(end, other[0])));
+    let turns = [0, 1, 2].map(|k| orient(from, to, other[k], other[(k + 1) % 3]));
+    below * above < 0 && (turns == [1; 3] || turns == [-1; 3])
+}
+
+impl Points {
+    /// Six corners, nine crossings of edges, three edges through a face.
+    const MAX: usize = 18;
+
+    fn extend(&mut self, points: impl IntoIterator<Item = IntersectionPoint>) {
+        for point in points {
+            self.all[self.len] = Some(point);
+            self.len += 1;
+        }
+    }
+
+    fn iter(&self) -> impl Iterator<Item = IntersectionPoint> {
+        self.all.iter().flatten().copied()
+    }
+
+    /// What is common, when all points lie on one line.
+    fn along(&self) -> Option<Intersection> {
+        let first = self.iter().min()?;
+        let last = self.iter().max()?;
+        Some(if first.position == last.position {
+            Intersection::between(first, first)
+        } else {
+            // Of the points in one place, the first.
+            let last = self.iter().filter(|point| point.position == last.position).min()?;
+            Intersection::between(first, last)
+        })
+    }
+
+    /// What is common to two triangles of one plane that are not flat: at most 6 points.
+    fn around(&self) -> Option<Intersection> {
+        if self.len <= 2 {
+            return self.along();
+        }
+        let mut ring = [self.iter().min()?; 6];
+        let mut len = 1;
+        // Along every side of the polygon runs an edge, which holds the points at both its ends.
+        while len < self.len.min(6) {
+            let placed = &ring[..len];
+            let beside = |point: &IntersectionPoint| {
+                !placed.contains(point) && lines(point) & lines(&placed[len - 1]) != 0
+            };
+            ring[len] = self.iter().filter(beside).min()?;
+            len += 1;
+        }
+        Some(Intersection::polygon(&ring[..len]))
+    }
+}
+
+/// The edges that hold a point, as bits: those of the first triangle, then of the second.
+fn lines(point: &IntersectionPoint) -> u8 {
+    let edges = |feature| match feature {
+        Feature::Vertex(corner) => 1 << corner | 1 << ((corner + 2) % 3),
+        Feature::Edge(edge) => 1 << edge,
+        Feature::Face => 0,
+    };
+    edges(point.on_a) | edges(point.on_b) << 3
+}
