@@ -22,6 +22,7 @@ use crate::math::{Real, Vec3};
 /// assert_eq!(orient2d(a, b, c), Ordering::Equal);
 /// assert_eq!(orient2d(a, b, [c[0], c[1] + Real::ULP]), Ordering::Greater);
 /// ```
+#[inline]
 #[must_use]
 pub fn orient2d(a: [Real; 2], b: [Real; 2], c: [Real; 2]) -> Ordering {
     let [a, b, c] = [a, b, c].map(|point| point.map(Real::raw));
@@ -46,6 +47,7 @@ pub fn orient2d(a: [Real; 2], b: [Real; 2], c: [Real; 2]) -> Ordering {
 /// let [a, b, c] = [Vec3::ZERO, Vec3::X, Vec3::Y];
 /// assert_eq!(orient3d(a, b, c, Vec3::new(Real::ONE, Real::ONE, Real::ULP)), Ordering::Greater);
 /// ```
+#[inline]
 #[must_use]
 pub fn orient3d(a: Vec3, b: Vec3, c: Vec3, d: Vec3) -> Ordering {
     let [a, b, c, d] = [a, b, c, d].map(Vec3::raw);

@@ -116,6 +116,7 @@ impl Difference {
 }
 
 /// The sign of `u x v`, all differences from one point of the plane, whatever they are.
+#[cold]
 pub(crate) fn sign_of_det2(o: [i64; 2], a: [i64; 2], b: [i64; 2]) -> Ordering {
     let [u, v] = [a, b].map(|p| [0, 1].map(|k| Difference::of(p[k], o[k])));
     let mut sums = [0; 2]; // of what counts as positive, and as negative: at most 2^129
@@ -131,6 +132,7 @@ pub(crate) fn sign_of_det2(o: [i64; 2], a: [i64; 2], b: [i64; 2]) -> Ordering {
 }
 
 /// The sign of `(u x v) . w`, all differences from one point, whatever they are.
+#[cold]
 pub(crate) fn sign_of_det3(o: [i64; 3], a: [i64; 3], b: [i64; 3], c: [i64; 3]) -> Ordering {
     const TERMS: [([usize; 3], bool); 6] = [
         ([0, 1, 2], false),

@@ -5,9 +5,11 @@
 
 mod clock;
 mod cloth;
+mod guigue;
+mod triangles;
 
 /// What is measured, by name.
-const ALL: [(&str, fn()); 1] = [("cloth", cloth::run)];
+const ALL: [(&str, fn()); 2] = [("cloth", cloth::run), ("triangles", triangles::run)];
 
 fn main() {
     let names: Vec<_> = std::env::args().skip(1).filter(|name| !name.starts_with('-')).collect();

@@ -1,7 +1,7 @@
 //! Triangles in one plane, and triangles that are segments or points.
 //!
-//! Most pairs have been decided before, so none of this is in a hurry: all in 128 bits, and by cases
-//! on dimensions only, which no order of corners can disturb.
+//! Most pairs have been decided before, so none of this is in a hurry: all in 128 bits, and by
+//! cases on dimensions only, which no order of corners can disturb.
 
 use super::Corners;
 use crate::math::determinant::{Full, Width};
