@@ -50,22 +50,31 @@ pub fn orient2d(a: [Real; 2], b: [Real; 2], c: [Real; 2]) -> Ordering {
 #[inline]
 #[must_use]
 pub fn orient3d(a: Vec3, b: Vec3, c: Vec3, d: Vec3) -> Ordering {
-    let [a, b, c, d] = [a, b, c, d].map(Vec3::raw);
-    let mut wraps = false;
-    let [u, v, w] = [b, c, d].map(|p| {
-        [0, 1, 2].map(|k| {
-            let (difference, wrapped) = p[k].overflowing_sub(a[k]);
-            wraps |= wrapped;
-            difference
-        })
-    });
-    // No bit above these: the points span less than twice as much, for differences have two signs.
-    let bits = [u, v, w].iter().flatten().fold(0, |bits, &c| bits | (c ^ (c >> 63)));
-    if wraps || bits >> 41 != 0 {
-        sign_of_det3(a, b, c, d)
-    } else if bits >> 30 != 0 {
+    let [a, b, c, d] = [a.raw(), b.raw(), c.raw(), d.raw()];
+    let (u, v, w) = (difference(b, a), difference(c, a), difference(d, a));
+    let bits = extent(b, a) | extent(c, a) | extent(d, a);
+    // Points whose differences from one of them have k bits span less than 2^(k + 1).
+    if bits < 1 << 30 {
+        Middle::sign(&Middle::cross(u, v), w).cmp(&0)
+    } else if bits < 1 << 41 {
         Full::sign(&Full::cross(u, v), w).cmp(&0)
     } else {
-        Middle::sign(&Middle::cross(u, v), w).cmp(&0)
+        sign_of_det3(a, b, c, d)
     }
+}
+
+/// `p - o`, which may wrap.
+#[inline]
+fn difference(p: [i64; 3], o: [i64; 3]) -> [i64; 3] {
+    [p[0].wrapping_sub(o[0]), p[1].wrapping_sub(o[1]), p[2].wrapping_sub(o[2])]
+}
+
+/// The bits of the magnitudes of `p - o` (for `-n` those of `n - 1`): all, where it wraps.
+#[inline]
+fn extent(p: [i64; 3], o: [i64; 3]) -> u64 {
+    let along = |k: usize| {
+        let (difference, wraps) = p[k].overflowing_sub(o[k]);
+        (difference ^ (difference >> 63)) | -i64::from(wraps)
+    };
+    (along(0) | along(1) | along(2)).cast_unsigned()
 }

@@ -51,8 +51,8 @@ impl Width for Narrow {
 
     #[inline]
     fn sign(n: &[i64; 3], d: [i64; 3]) -> i8 {
-        let terms = [0, 1, 2].map(|k| n[k].wrapping_mul(d[k]));
-        let sum = terms[0].wrapping_add(terms[1]).wrapping_add(terms[2]);
+        let term = |k: usize| n[k].wrapping_mul(d[k]);
+        let sum = term(0).wrapping_add(term(1)).wrapping_add(term(2));
         i8::from(sum > 0) - i8::from(sum < 0)
     }
 }
@@ -69,8 +69,8 @@ impl Width for Middle {
 
     #[inline]
     fn sign(n: &[i64; 3], d: [i64; 3]) -> i8 {
-        let [x, y, z] = [0, 1, 2].map(|k| i128::from(n[k]) * i128::from(d[k]));
-        sign(x + y + z)
+        let term = |k: usize| i128::from(n[k]) * i128::from(d[k]);
+        sign(term(0) + term(1) + term(2))
     }
 }
 
@@ -79,9 +79,7 @@ impl Width for Full {
 
     #[inline]
     fn cross(u: [i64; 3], v: [i64; 3]) -> [i128; 3] {
-        let product = |j: usize, k: usize| i128::from(u[j]) * i128::from(v[k]);
-        let minor = |j, k| product(j, k) - product(k, j);
-        [minor(1, 2), minor(2, 0), minor(0, 1)]
+        cross(u, v)
     }
 
     #[inline]
@@ -90,11 +88,19 @@ impl Width for Full {
     }
 }
 
+/// The cross product of two differences, for `S < 2^62`: at most `2 S^2`.
+#[inline]
+pub(crate) fn cross(u: [i64; 3], v: [i64; 3]) -> [i128; 3] {
+    let product = |j: usize, k: usize| i128::from(u[j]) * i128::from(v[k]);
+    let minor = |j, k| product(j, k) - product(k, j);
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
 /// The dot product of a cross product and a third difference, for `S < 2^42`.
 #[inline]
 pub(crate) fn dot(n: &[i128; 3], d: [i64; 3]) -> i128 {
-    let [x, y, z] = [0, 1, 2].map(|k| n[k].wrapping_mul(i128::from(d[k])));
-    x.wrapping_add(y).wrapping_add(z)
+    let term = |k: usize| n[k].wrapping_mul(i128::from(d[k]));
+    term(0).wrapping_add(term(1)).wrapping_add(term(2))
 }
 
 #[inline]

@@ -4,7 +4,7 @@
 //! cases on dimensions only, which no order of corners can disturb.
 
 use super::Corners;
-use crate::math::determinant::{Full, Width};
+use crate::math::determinant::{Full, Width, cross};
 use crate::math::wide::sub;
 
 type Point = [i64; 3];
@@ -31,7 +31,7 @@ pub(super) fn axis_of(corners: &Corners) -> Option<usize> {
 }
 
 pub(super) fn normal([a, b, c]: &Corners) -> [i128; 3] {
-    Full::cross(sub(*b, *a), sub(*c, *a))
+    cross(sub(*b, *a), sub(*c, *a))
 }
 
 fn edges<P: Copy>(&[a, b, c]: &[P; 3]) -> impl Iterator<Item = [P; 2]> {
@@ -91,8 +91,8 @@ pub(super) fn is_between<const D: usize>(a: [i64; D], b: [i64; D], p: [i64; D]) 
 
 /// Whether a segment or point meets a triangle that is not flat and may lose the axis.
 fn segment_meets([from, to]: [Point; 2], triangle: &Corners, axis: usize) -> bool {
-    let normal = normal(triangle);
-    let [at_from, at_to] = [from, to].map(|end| Full::sign(&normal, sub(end, triangle[0])));
+    let [a, b, c] = *triangle;
+    let [at_from, at_to] = [from, to].map(|end| orient(a, b, c, end));
     if at_from == 0 && at_to == 0 {
         let segment = [from, to].map(|end| shadow(end, axis));
         let triangle = triangle.map(|corner| shadow(corner, axis));
@@ -110,7 +110,7 @@ fn segments_meet([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
     }
     // They lie in one plane: an axis that may be dropped is where any of these is not 0.
     let normals = [[b, a, d, c], [b, a, c, a], [b, a, d, a], [d, c, a, c]]
-        .map(|[p, q, r, s]| Full::cross(sub(p, q), sub(r, s)));
+        .map(|[p, q, r, s]| cross(sub(p, q), sub(r, s)));
     match normals.iter().find_map(|normal| normal.iter().position(|&minor| minor != 0)) {
         Some(axis) => {
             shadows_meet([a, b].map(|p| shadow(p, axis)), [c, d].map(|p| shadow(p, axis)))

@@ -3,7 +3,7 @@
 use super::flat::orient;
 use super::point::{Owner, Pair};
 use super::sides::ordered;
-use super::{Corners, Relation, polygon, relation};
+use super::{Corners, Relation, joint_span, polygon, raw, relation};
 use crate::geometry::Triangle;
 use crate::math::Vec3;
 use crate::math::determinant::Full;
@@ -93,10 +93,8 @@ impl Intersection {
 /// ```
 #[must_use]
 pub fn intersection_triangle_triangle(a: &Triangle, b: &Triangle) -> Option<Intersection> {
-    if !a.bounds().overlaps(&b.bounds()) {
-        return None;
-    }
-    let [a, b] = [a, b].map(|triangle| triangle.corners().map(Vec3::raw));
+    joint_span(a, b)?;
+    let (a, b) = (raw(a), raw(b));
     match relation::<Full>(&a, &b) {
         Relation::Apart => None,
         Relation::Flat => polygon::intersection(&a, &b),

@@ -18,9 +18,9 @@ mod sides;
 pub use intersection::{Feature, Intersection, IntersectionPoint, intersection_triangle_triangle};
 
 use super::Triangle;
-use crate::math::Vec3;
 use crate::math::determinant::{Full, Middle, Narrow, Width};
 use crate::math::wide::sub;
+use crate::math::{Real, Vec3};
 use sides::{Sides, order, ordered};
 
 /// The corners of a triangle, raw.
@@ -41,19 +41,43 @@ type Corners = [[i64; 3]; 3];
 #[inline]
 #[must_use]
 pub fn overlap_triangle_triangle(a: &Triangle, b: &Triangle) -> bool {
-    let boxes = [a.bounds(), b.bounds()];
-    boxes[0].overlaps(&boxes[1]) && {
-        let corners = [a, b].map(|triangle| triangle.corners().map(Vec3::raw));
-        // Each spans less than 2^41 and they meet, so that both span less than 2^42.
-        let span = boxes[0].union(boxes[1]).span();
-        if span <= Narrow::SPAN_MAX {
-            overlap::<Narrow>(&corners[0], &corners[1])
-        } else if span <= Middle::SPAN_MAX {
-            overlap::<Middle>(&corners[0], &corners[1])
-        } else {
-            overlap::<Full>(&corners[0], &corners[1])
-        }
+    // Each spans less than 2^41, and where their boxes meet both span less than 2^42.
+    let Some(span) = joint_span(a, b) else { return false };
+    let (a, b) = (raw(a), raw(b));
+    if span <= Narrow::SPAN_MAX {
+        overlap::<Narrow>(&a, &b)
+    } else if span <= Middle::SPAN_MAX {
+        overlap::<Middle>(&a, &b)
+    } else {
+        overlap::<Full>(&a, &b)
     }
+}
+
+/// The longest edge of the box around both triangles; none where their own boxes do not meet.
+#[inline]
+fn joint_span(a: &Triangle, b: &Triangle) -> Option<u64> {
+    let (a, b) = (a.corners(), b.corners());
+    let (x, y, z) = (ranges(a, b, |p| p.x), ranges(a, b, |p| p.y), ranges(a, b, |p| p.z));
+    // Negative where they are apart along any axis.
+    let overlap = |[low_a, high_a, low_b, high_b]: [i64; 4]| (high_b - low_a) | (high_a - low_b);
+    if (overlap(x) | overlap(y) | overlap(z)) < 0 {
+        return None;
+    }
+    let span = |[low_a, high_a, low_b, high_b]: [i64; 4]| high_a.max(high_b) - low_a.min(low_b);
+    Some(span(x).max(span(y)).max(span(z)).cast_unsigned())
+}
+
+/// Where both triangles begin and end along an axis, raw: coordinates are at most 2^60.
+#[inline]
+fn ranges(a: &[Vec3; 3], b: &[Vec3; 3], axis: fn(&Vec3) -> Real) -> [i64; 4] {
+    let [p, q, r] = [axis(&a[0]).raw(), axis(&a[1]).raw(), axis(&a[2]).raw()];
+    let [s, t, u] = [axis(&b[0]).raw(), axis(&b[1]).raw(), axis(&b[2]).raw()];
+    [p.min(q).min(r), p.max(q).max(r), s.min(t).min(u), s.max(t).max(u)]
+}
+
+fn raw(triangle: &Triangle) -> Corners {
+    let [a, b, c] = triangle.corners();
+    [a.raw(), b.raw(), c.raw()]
 }
 
 fn overlap<W: Width>(a: &Corners, b: &Corners) -> bool {
@@ -93,7 +117,7 @@ fn relation<W: Width>(a: &Corners, b: &Corners) -> Relation {
     if of_b.are_one() {
         return Relation::Apart;
     }
-    if of_a.are_none() || of_b.are_none() {
+    if of_a.are_none() | of_b.are_none() {
         return Relation::Flat;
     }
     Relation::Across([order(of_a, of_b), order(of_b, of_a)])
@@ -103,5 +127,6 @@ fn relation<W: Width>(a: &Corners, b: &Corners) -> Relation {
 #[inline]
 fn sides<W: Width>(a: &Corners, b: &Corners) -> Sides {
     let normal = W::cross(sub(b[1], b[0]), sub(b[2], b[0]));
-    Sides::of(a.map(|corner| W::sign(&normal, sub(corner, b[0]))))
+    let side = |corner: [i64; 3]| W::sign(&normal, sub(corner, b[0]));
+    Sides::of([side(a[0]), side(a[1]), side(a[2])])
 }

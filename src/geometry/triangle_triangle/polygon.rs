@@ -1,11 +1,9 @@
 //! What triangles have in common that lie in one plane, or of which one is a segment or a point.
 
 use super::Corners;
-use super::flat::{axis_of, normal, orient};
+use super::flat::{axis_of, orient};
 use super::intersection::{Feature, Intersection, IntersectionPoint};
 use super::point::{Owner, Pair, ends};
-use crate::math::determinant::{Full, Width};
-use crate::math::wide::sub;
 
 /// Points of both triangles, each once unless a triangle is flat. Every corner of what is common is
 /// among them: it is a corner of one triangle, or edges cross there, or an edge and a face.
@@ -45,8 +43,8 @@ pub(super) fn intersection(a: &Corners, b: &Corners) -> Option<Intersection> {
 fn pierces(pair: &Pair<'_>, owner: Owner, edge: u8) -> bool {
     let [own, other] = pair.seen_by(owner);
     let [from, to] = ends(own, edge);
-    let normal = normal(other);
-    let [below, above] = [from, to].map(|end| Full::sign(&normal, sub(end, other[0])));
+    let [a, b, c] = *other;
+    let [below, above] = [from, to].map(|end| orient(a, b, c, end));
     let turns = [0, 1, 2].map(|k| orient(from, to, other[k], other[(k + 1) % 3]));
     below * above < 0 && (turns == [1; 3] || turns == [-1; 3])
 }

@@ -61,8 +61,8 @@ impl Sides {
     /// Of three signs, each -1, 0 or 1.
     #[inline]
     pub(super) fn of(signs: [i8; 3]) -> Self {
-        let [a, b, c] = signs.map(|sign| (sign + 1).cast_unsigned());
-        Self(9 * a + 3 * b + c)
+        let [a, b, c] = signs;
+        Self((13 + 9 * a + 3 * b + c).cast_unsigned())
     }
 
     /// Whether all are off the plane, on one side.
@@ -95,5 +95,6 @@ pub(super) fn order(own: Sides, other: Sides) -> [u8; 3] {
 /// The corners in an order.
 #[inline]
 pub(super) fn ordered(corners: &Corners, order: [u8; 3]) -> Corners {
-    order.map(|corner| corners[usize::from(corner)])
+    let [first, second, third] = order;
+    [corners[usize::from(first)], corners[usize::from(second)], corners[usize::from(third)]]
 }
