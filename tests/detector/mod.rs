@@ -1,6 +1,8 @@
 //! What meets what, against oracles in integers of any size.
 
+mod intersection;
 mod overlap;
+mod predicates;
 
 use verlock::Vec3;
 use verlock::geometry::Triangle;

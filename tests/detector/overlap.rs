@@ -10,7 +10,7 @@ use crate::corpus::laws::oracle;
 /// How far from each other the corners of two triangles of a class may be, so that the test goes
 /// through each width: the unit of the grid is 1 raw, or so large that a triangle is as long as it
 /// may be.
-const CLASSES: [Class; 8] = [
+pub const CLASSES: [Class; 8] = [
     Class { most: 1, unit: 1 },
     Class { most: 2, unit: 1 },
     Class { most: 4, unit: 1 },
@@ -23,7 +23,7 @@ const CLASSES: [Class; 8] = [
 ];
 
 #[derive(Clone, Copy)]
-struct Class {
+pub struct Class {
     /// Corners lie on a grid from 0 to this.
     most: i64,
     unit: i64,
@@ -32,7 +32,7 @@ struct Class {
 impl Class {
     /// Two triangles; their boxes often meet in no more than a corner, and they are often flat, or
     /// lie in one plane, or share corners.
-    fn pair(self, rng: &mut Pcg) -> [Corners; 2] {
+    pub fn pair(self, rng: &mut Pcg) -> [Corners; 2] {
         let mut corner = || [(); 3].map(|()| below(rng, self.most) * self.unit);
         let mut pair = [[(); 3]; 2].map(|corners| corners.map(|()| corner()));
         let kind = rng.below(16);
