@@ -12,7 +12,8 @@ fn threads_change_nothing() {
     let counts: &[usize] = if EMULATED { &[2] } else { &[1, 2, 8] };
     for &threads in counts {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-        for fixture in Fixture::all() {
+        // Small scenes have no work for threads, and other machines have no time for them.
+        for fixture in Fixture::all().into_iter().filter(|it| !EMULATED || it.is_large()) {
             let name = &fixture.name;
             let run = pool.install(|| Run::of(&fixture));
             assert_eq!(

@@ -15,7 +15,15 @@ pub struct Fixture {
     pub scene: Scene,
 }
 
+/// Scenes of thousands of particles.
+const LARGE: [&str; 3] = ["cloud", "cloth100", "net"];
+
 impl Fixture {
+    /// Whether it has thousands of particles: the others have no work for threads.
+    pub fn is_large(&self) -> bool {
+        LARGE.contains(&&*self.name)
+    }
+
     /// All of them, by name.
     pub fn all() -> Vec<Self> {
         let files = fs::read_dir(path("scenes")).expect("the folder of scenes");
