@@ -87,3 +87,8 @@ fn relaxations_keep_their_laws() {
 fn commands_keep_their_laws() {
     keeps("commands", laws::commands, [55, 40]);
 }
+
+#[test]
+fn pairs_of_triangles_keep_their_laws() {
+    keeps("triangle_triangle", laws::triangle_triangle, [20, 10]);
+}

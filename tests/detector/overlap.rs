@@ -125,6 +125,24 @@ fn triangles_meet_where_the_oracle_says_on_the_whole_unit_grid() {
     }
 }
 
+/// At the limits of the widths, and beyond them by one or by so much that they would wrap. The
+/// largest determinants are those of the corners of a cube.
+#[test]
+fn size_does_not_matter() {
+    let sizes = [1_664_510, 1_664_511, (1 << 31) - 1, 1 << 31, 1 << 32, Triangle::SPAN_MAX];
+    let corner = |code: u32| [0, 1, 2].map(|axis| i64::from(code >> axis & 1));
+    for code in (0..8_u32.pow(6)).step_by(3) {
+        let digit = |place: u32| corner(code >> (3 * place) & 7);
+        let pair = [[0, 1, 2].map(digit), [3, 4, 5].map(digit)];
+        let [a, b] = pair.map(triangle);
+        let expected = overlap_triangle_triangle(&a, &b);
+        for size in sizes {
+            let [a, b] = pair.map(|corners| triangle(corners.map(|p| p.map(|c| c * size))));
+            assert_eq!(overlap_triangle_triangle(&a, &b), expected, "{pair:?} * {size}");
+        }
+    }
+}
+
 #[test]
 fn the_order_of_corners_does_not_matter() {
     let mut rng = Pcg::new(5, 0);

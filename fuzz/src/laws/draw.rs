@@ -54,7 +54,8 @@ impl<'a> Draw<'a> {
         self.0.choose_index(n).unwrap_or(0)
     }
 
-    fn any<T: Arbitrary<'a> + Default>(&mut self) -> T {
+    /// Any value, or the default when all bytes are used up.
+    pub(super) fn any<T: Arbitrary<'a> + Default>(&mut self) -> T {
         self.0.arbitrary().unwrap_or_default()
     }
 

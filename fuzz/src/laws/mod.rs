@@ -12,6 +12,7 @@ mod relax;
 mod replay;
 mod scene;
 mod snapshot;
+mod triangle_triangle;
 mod world;
 
 pub use commands::commands;
@@ -20,3 +21,4 @@ pub use relax::relax;
 pub use replay::replay;
 pub use scene::scene;
 pub use snapshot::snapshot;
+pub use triangle_triangle::triangle_triangle;

@@ -7,8 +7,11 @@ use std::ops::{Add, Mul, Sub};
 
 /// Integers wide enough for three of the coordinates multiplied.
 pub trait Exact: Clone + Default + Ord {
+    /// The sum.
     fn plus(&self, other: &Self) -> Self;
+    /// The difference.
     fn minus(&self, other: &Self) -> Self;
+    /// The product.
     fn times(&self, other: &Self) -> Self;
 }
 
@@ -36,6 +39,7 @@ fn dot<T: Exact>(u: &Vector<T>, v: &Vector<T>) -> T {
     x.plus(&y).plus(&z)
 }
 
+/// The cross product.
 pub fn cross<T: Exact>(u: &Vector<T>, v: &Vector<T>) -> Vector<T> {
     let minor = |j: usize, k: usize| u[j].times(&v[k]).minus(&u[k].times(&v[j]));
     [minor(1, 2), minor(2, 0), minor(0, 1)]

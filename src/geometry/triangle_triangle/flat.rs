@@ -109,8 +109,8 @@ fn segments_meet([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
         return false;
     }
     // They lie in one plane: an axis that may be dropped is where any of these is not 0.
-    let normals = [[b, a, d, c], [b, a, c, a], [b, a, d, a], [d, c, a, c]]
-        .map(|[p, q, r, s]| cross(sub(p, q), sub(r, s)));
+    let normals =
+        [[b, a, d, c], [b, a, c, a], [d, c, a, c]].map(|[p, q, r, s]| cross(sub(p, q), sub(r, s)));
     match normals.iter().find_map(|normal| normal.iter().position(|&minor| minor != 0)) {
         Some(axis) => {
             shadows_meet([a, b].map(|p| shadow(p, axis)), [c, d].map(|p| shadow(p, axis)))

