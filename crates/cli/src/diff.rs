@@ -23,7 +23,8 @@ use crate::state::{Origin, State, recorded_hash, span};
 /// the first tick with different hashes is compared: its stored states where there are any, what
 /// stepping gives otherwise. Where that has not the recorded hash, the recording machine's own
 /// state is not in the file, and the first later one that is known is compared. Returns 1 if
-/// anything differs.
+/// anything differs, be it only the recorded hashes, and 3 if those are equal but a state is not
+/// the recorded one.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Diff {
     /// Snapshot, replay or scene
@@ -55,9 +56,22 @@ struct Choice {
     recordings: Option<String>,
 }
 
+/// What comparing two states proves.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Finding {
+    Equal,
+    Different,
+    /// The recorded hashes differ; the states that were found tell nothing of it.
+    RecordedDifferent,
+    /// The recorded hashes are equal, but a state that was found is another one.
+    Unproven,
+}
+
 /// Two states compared.
 struct Comparison {
+    names: [String; 2],
     tick: [u64; 2],
+    finding: Finding,
     states: [State; 2],
     differences: Vec<Difference>,
     /// Of them and those that were too many to keep.
@@ -94,36 +108,85 @@ impl Diff {
         let mut notes: Vec<_> = choice.note.into_iter().collect();
         notes.extend(states[0].note(a, tick[0]));
         notes.extend(states[1].note(b, tick[1]));
-        let equal = states[0].hash() == states[1].hash();
-        if let Some(why) = choice.recordings.as_ref().filter(|_| equal) {
+        let finding = Finding::of(&states);
+        if let Some(why) = choice.recordings.as_ref().filter(|_| finding == Finding::Equal) {
             notes.push(format!("the recordings differ, though not this state: {why}"));
         }
-        let fine = equal && choice.recordings.is_none();
-        let exit = if fine { Exit::Fine } else { Exit::Different };
-        Ok(Comparison { tick, states, differences, count, notes, exit })
+        let exit = match finding {
+            Finding::Equal if choice.recordings.is_none() => Exit::Fine,
+            Finding::Unproven if choice.recordings.is_none() => Exit::Unproven,
+            _ => Exit::Different,
+        };
+        let names = [a, b].map(|input| input.name().to_owned());
+        Ok(Comparison { names, tick, finding, states, differences, count, notes, exit })
+    }
+}
+
+impl Finding {
+    fn of(states: &[State; 2]) -> Self {
+        let [a, b] = states;
+        let as_recorded = states.iter().all(State::is_as_recorded);
+        let known = states.iter().all(State::is_known);
+        match a.hash() == b.hash() {
+            true if as_recorded => Self::Equal,
+            false if known => Self::Different,
+            _ if a.told() != b.told() => Self::RecordedDifferent,
+            _ => Self::Unproven,
+        }
     }
 }
 
 impl Comparison {
     fn print(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let [a, b] = self.states.each_ref().map(State::hash);
-        let tick = self.tick[0];
-        if a == b {
-            writeln!(out, "equal at tick {tick}: {a}")?;
-            return Ok(());
+        let [told_a, told_b] = self.states.each_ref().map(State::told);
+        let (tick, differences) = (self.tick[0], counted(self.count, "difference"));
+        match self.finding {
+            Finding::Equal => writeln!(out, "equal at tick {tick}: {a}")?,
+            Finding::Different => {
+                writeln!(out, "{differences} at tick {tick}: {a} against {b}")?;
+            }
+            Finding::RecordedDifferent => {
+                let told = format!("recorded hashes differ ({told_a} against {told_b})");
+                writeln!(out, "tick {tick}: {told}; {}", self.unknown())?;
+            }
+            Finding::Unproven => {
+                let told = format!("recorded hashes are equal ({told_a})");
+                writeln!(out, "tick {tick}: {told}, but {}: nothing proven", self.unknown())?;
+            }
         }
-        writeln!(out, "{} at tick {tick}: {a} against {b}", counted(self.count, "difference"))?;
+        let stepped = [Finding::RecordedDifferent, Finding::Unproven].contains(&self.finding);
+        if stepped && self.count > 0 {
+            writeln!(out, "{differences} in what was found instead: {a} against {b}")?;
+        }
         Ok(self.differences.iter().try_for_each(|difference| writeln!(out, "{difference}"))?)
     }
 
+    /// Which files do not hold the state that they recorded.
+    fn unknown(&self) -> String {
+        let sides = self.names.iter().zip(&self.states);
+        let names: Vec<_> = sides
+            .filter_map(|(name, state)| (!state.is_as_recorded()).then_some(name.as_str()))
+            .collect();
+        let hold = if names.len() == 1 { "holds" } else { "hold" };
+        format!("{} {hold} no state of it", names.join(" and "))
+    }
+
     fn json(&self) -> Value {
-        let Self { tick, states, differences, count, notes, exit: _ } = self;
+        let Self { names: _, tick, finding, states, differences, count, notes, exit: _ } = self;
+        let equal = match finding {
+            Finding::Equal => Some(true),
+            Finding::Different | Finding::RecordedDifferent => Some(false),
+            Finding::Unproven => None,
+        };
         let origin = |state: &State| match state.origin() {
             Origin::Stored => "stored",
             Origin::Stepped => "stepped",
         };
         json!({
             "ticks": tick,
+            "equal": equal,
+            "recorded_hashes": states.each_ref().map(|state| state.told().to_string()),
             "hashes": states.each_ref().map(|state| state.hash().to_string()),
             "origins": states.each_ref().map(origin),
             "as_recorded": states.each_ref().map(State::is_as_recorded),

@@ -81,6 +81,11 @@ impl State {
         self.origin
     }
 
+    /// The hash that the file gives for it, or else its own.
+    pub(crate) fn told(&self) -> Hash {
+        self.recorded.unwrap_or(self.hash)
+    }
+
     /// Whether it is the state that the file is about: what was stored, or what was stepped to and
     /// has the recorded hash. If not, the hash is all that is known of the state.
     pub(crate) fn is_known(&self) -> bool {

@@ -89,13 +89,40 @@ fn unknown_states_are_passed_over() {
     let json = sandbox.run(&["diff", "a.replay", "b.replay", "--json"]).expect(1).json();
     assert!(json["notes"][0].as_str().is_some_and(|note| note.contains("tick 6 is the first")));
 
-    let report = sandbox.run(&["diff", "a.replay", "b.replay", "--tick", "5"]).expect(0);
+    let report = sandbox.run(&["diff", "a.replay", "b.replay", "--tick", "5"]).expect(1);
     report.says("b.replay: tick 5: stepping again gives another state than recorded");
+}
 
+/// Where a machine's own state is only known by its hash, that hash is compared: states that differ
+/// are never called equal because stepping gives the other one.
+#[test]
+fn recorded_hashes_are_compared() {
     let sandbox = faulty("diff-hashes-only", "0");
-    let report = sandbox.run(&["diff", "a.replay", "b.replay"]).expect(1);
-    assert!(report.text().starts_with("equal at tick 4: "), "{}", report.text());
-    report.says("b.replay: tick 4: stepping again gives another state").says("not as recorded");
+    let good = sandbox.run(&["hash", "a.replay", "--tick", "4"]).expect(0);
+    let bad = sandbox.run(&["hash", "b.replay", "--tick", "4"]).expect(0);
+    let (good, bad) = (good.text().trim(), bad.text().trim());
+    let line = format!(
+        "tick 4: recorded hashes differ ({good} against {bad}); b.replay holds no state of it\n"
+    );
+    sandbox.run(&["run", "a.ron", "--ticks", "4", "--save", "a4.snap"]).expect(0);
+    sandbox.run(&["run", "pushed.ron", "--ticks", "4", "--save", "b4.snap"]).expect(0);
+    for (a, tick) in
+        [("a.replay", &[][..]), ("a.replay", &["--tick", "4"]), ("a4.snap", &[]), ("a.ron", &[])]
+    {
+        let report = sandbox.run(&[&["diff", a, "b.replay"], tick].concat()).expect(1);
+        assert_eq!(report.text(), line, "{a}");
+        report.says("b.replay: tick 4: stepping again gives another state than recorded");
+    }
+    let json = sandbox.run(&["diff", "a4.snap", "b.replay", "--json"]).expect(1).json();
+    assert_eq!(json["equal"], false);
+    assert_eq!(json["recorded_hashes"], serde_json::json!([good, bad]));
+
+    // The same hash, but no state that has it can be shown.
+    let report = sandbox.run(&["diff", "b4.snap", "b.replay"]).expect(3);
+    let head = format!("tick 4: recorded hashes are equal ({bad}), but b.replay holds no state");
+    assert!(report.text().starts_with(&head), "{}", report.text());
+    let json = sandbox.run(&["diff", "b4.snap", "b.replay", "--json"]).expect(3).json();
+    assert_eq!(json["equal"], serde_json::Value::Null);
 }
 
 /// Recordings with other inputs, or with other stored bytes, are not equal.
@@ -140,8 +167,8 @@ fn wrong_recording_differs() {
     repair(&mut bytes);
     sandbox.write("wrong.replay", &bytes);
     let report = sandbox.run(&["diff", "a.replay", "wrong.replay"]).expect(1);
-    assert!(report.text().starts_with("equal at tick 3: "), "{}", report.text());
-    report.says("wrong.replay: tick 3: stepping again gives another state").says("not as recorded");
+    assert!(report.text().starts_with("tick 3: recorded hashes differ ("), "{}", report.text());
+    report.says("wrong.replay: tick 3: stepping again gives another state than recorded");
 }
 
 /// A recording that goes on where the other ends is not equal to it.
