@@ -3,7 +3,7 @@
 use verlock::body::{Assembly, Cloth, Plant, Rope};
 use verlock::constraint::Distance;
 use verlock::geometry::{Grid, TriangleMesh};
-use verlock::math::Factor;
+use verlock::math::{Factor, Unit};
 use verlock::particle::ParticleId;
 use verlock::scene::Obj;
 use verlock::world::Action;
@@ -152,4 +152,26 @@ fn a_rod_leaves_the_wall_in_a_few_ticks() {
 
 fn text(name: &str) -> String {
     String::from_utf8(read(name)).expect("a text")
+}
+
+/// Bodies refuse by themselves what no world would take.
+#[test]
+fn numbers_out_of_range_are_refused() {
+    let grid = Grid { corner: Vec3::ZERO, edge_u: Vec3::X, edge_v: Vec3::Y, columns: 2, rows: 2 };
+    let mesh = TriangleMesh::grid(&grid).expect("a mesh");
+    let (none, too_stiff) = (Real::ZERO, Unit::from_raw(3 << 29));
+    let cloth = |cloth: Cloth| cloth.of(&mesh, |_| true).expect_err("a wrong number").to_string();
+    let rope = |rope: Rope, points| rope.along(points, |_| true).expect_err("likewise").to_string();
+    let usual = Cloth::default();
+    assert_eq!(cloth(Cloth { mass: none, ..usual }), "mass is 0, allowed 0.001 to 1000000");
+    assert_eq!(cloth(Cloth { stiffness: too_stiff, ..usual }), "stiffness is 1.5, allowed 0 to 1");
+    let drag = Factor::from_raw(-1 << 16);
+    assert_eq!(cloth(Cloth { drag, ..usual }), "drag is -1, allowed 0 to 1000");
+    let bent = Rope { bending: too_stiff, ..Rope::default() };
+    assert_eq!(rope(bent, &[Vec3::ZERO, Vec3::X]), "bending is 1.5, allowed 0 to 1");
+    let ends = rope(Rope::default(), &[Vec3::X, Vec3::X]);
+    assert_eq!(ends, "rest_length: the ends coincide");
+    let plant = Plant { compliance: too_stiff, ..Plant::default() };
+    let plant = plant.of(&mesh, |_| true).expect_err("likewise").to_string();
+    assert_eq!(plant, "compliance is 1.5, allowed 0 to 1");
 }

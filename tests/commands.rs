@@ -3,9 +3,9 @@
 use proptest::prelude::*;
 use verlock::constraint::{Distance, DistanceId, HalfSpace, HalfSpaceId};
 use verlock::math::{Factor, Real, UnitVec3, Vec3};
-use verlock::particle::{Particle, ParticleId, ParticleSpec, RangeError, WORLD_LIMIT};
+use verlock::particle::{Particle, ParticleId, ParticleSpec, RangeError, RangeFault, WORLD_LIMIT};
 use verlock::store::Handle;
-use verlock::world::{Action, Command, EventKind, ObjectId, Refusal};
+use verlock::world::{Action, Command, Event, EventKind, ObjectId, Refusal};
 use verlock::{World, WorldConfig, real};
 
 use crate::support::blueprint::{Blueprint, act, run};
@@ -124,12 +124,19 @@ fn a_rest_length_is_reached() {
 /// Steps the stage with one command, which must be refused for this reason and change nothing: the
 /// state is that of a step without it.
 fn is_refused(action: Action, why: Refusal) {
+    assert_eq!(refusal(action), why, "{action:?}");
+}
+
+/// Why an action is refused, which changes nothing.
+fn refusal(action: Action) -> Refusal {
     let (mut world, mut plain) = (stage(), stage());
     let events = world.step(&[Command { player: 7, sequence: 9, action }]);
-    let events: Vec<_> = events.iter().map(|event| event.kind).collect();
-    assert_eq!(events, [EventKind::Refused { player: 7, sequence: 9, why }], "{action:?}");
+    let [Event { kind: EventKind::Refused { player: 7, sequence: 9, why }, .. }] = *events else {
+        panic!("{action:?}: {events:?}");
+    };
     plain.step(&[]);
     assert_eq!(world.hash(), plain.hash(), "{action:?} changed the state");
+    why
 }
 
 #[test]
@@ -217,7 +224,10 @@ fn numbers_out_of_range_are_refused() {
         (Action::Configure { config: WorldConfig { damping: real!("61"), ..config } }, "damping"),
     ];
     for (action, field) in cases {
-        is_refused(action, Refusal::OutOfRange(RangeError { field }));
+        match refusal(action) {
+            Refusal::OutOfRange(error) => assert_eq!(error.field, field, "{action:?}"),
+            why => panic!("{action:?}: {why}"),
+        }
     }
 }
 
@@ -226,7 +236,7 @@ fn numbers_out_of_range_are_refused() {
 fn the_sum_of_forces_has_a_limit() {
     let (mut world, mut single) = (stage(), stage());
     let force = |x| Action::Force { particle: FREE, force: Vec3::from_ints(x, 0, 0) };
-    let why = Refusal::OutOfRange(RangeError { field: "force" });
+    let why = Refusal::OutOfRange(RangeError { field: "force", fault: RangeFault::OutOfRange });
     let events = act(&mut world, &[force(99_999), force(2)]);
     assert_eq!(events, [EventKind::Refused { player: 0, sequence: 1, why }]);
     act(&mut single, &[force(99_999)]);

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use super::Face;
 use crate::constraint::{Distance, Volume};
 use crate::math::{Real, Vec3};
-use crate::particle::{ParticleId, ParticleSpec};
+use crate::particle::{ParticleId, ParticleSpec, RangeError, check_in};
 use crate::store::Handle;
 
 /// Particles, and what holds them together.
@@ -43,6 +43,16 @@ impl Assembly {
             spec
         };
         (0u32..).zip(places).map(particle).collect()
+    }
+
+    /// The length of a distance between two places, which must not coincide.
+    pub(super) fn length(a: Vec3, b: Vec3) -> Result<Real, RangeError> {
+        let length = a.distance(b);
+        if length == Real::ZERO {
+            return Err(RangeError::coincident("rest_length"));
+        }
+        check_in(length, Real::ULP..=Distance::REST_LENGTH_MAX, "rest_length")?;
+        Ok(length)
     }
 
     /// The parts with other ids for their particles; `None` for a part that names none of them.

@@ -8,7 +8,7 @@ use super::{Assembly, Face};
 use crate::constraint::{Distance, DistanceForm};
 use crate::geometry::{Adjacency, TriangleMesh};
 use crate::math::{Factor, Real, Unit};
-use crate::particle::{RangeError, check};
+use crate::particle::{Particle, RangeError, check_in, check_not_negative};
 use crate::real;
 
 /// What a cloth is like. Vertices become particles, edges distances, faces faces.
@@ -30,12 +30,12 @@ use crate::real;
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Cloth {
-    /// Of each particle, kilograms. Default 0.01.
+    /// Of each particle, kilograms, 0.001 to 1,000,000. Default 0.01.
     pub mass: Real,
-    /// Of the edges. Default 1.
+    /// Of the edges, 0 to 1. Default 1.
     pub stiffness: Unit,
     /// Stiffness of the distances across edges, from the tip of one face to that of the other: they
-    /// resist folding, and shearing where two faces make a square. 0 for none. Default 0.1.
+    /// resist folding, and shearing where two faces make a square. 0 to 1, 0 for none. Default 0.1.
     pub bending: Unit,
     /// Of all distances. Default [`DistanceForm::DivisionFree`].
     pub form: DistanceForm,
@@ -44,11 +44,11 @@ pub struct Cloth {
     /// substeps, 1 iteration), after 10 s the worst edge is 0.6 % too long with them and 180 %
     /// without. Not where it can tear: they would hold what is torn off. Default `true`.
     pub attachments: bool,
-    /// Strain above which its distances take damage, 0 for none. Default 0.
+    /// Strain above which its distances take damage, 0 to 32,767; 0 for none. Default 0.
     pub tear_strain: Factor,
-    /// Damage that they stand. Default 0.
+    /// Damage that they stand, 0 to 32,767. Default 0.
     pub toughness: Factor,
-    /// Of the faces, newtons for every square metre and metre a second. Default 0.
+    /// Of the faces, newtons for every square metre and metre a second, 0 to 1,000. Default 0.
     pub drag: Factor,
 }
 
@@ -64,6 +64,7 @@ impl Cloth {
         mesh: &TriangleMesh,
         pinned: impl Fn(u32) -> bool,
     ) -> Result<Assembly, RangeError> {
+        self.validate()?;
         let adjacency = Adjacency::new(mesh);
         let mut cloth = Assembly {
             particles: Assembly::particles_at(mesh.vertices(), self.mass, pinned),
@@ -87,6 +88,20 @@ impl Cloth {
         Ok(cloth)
     }
 
+    /// Checks every declared range.
+    ///
+    /// # Errors
+    /// Names the first field that is out of its range.
+    pub fn validate(&self) -> Result<(), RangeError> {
+        let Self { mass, stiffness, bending, tear_strain, toughness, drag, .. } = *self;
+        check_in(mass, Particle::MASS_MIN..=Particle::MASS_MAX, "mass")?;
+        check_in(stiffness, Unit::ZERO..=Unit::ONE, "stiffness")?;
+        check_in(bending, Unit::ZERO..=Unit::ONE, "bending")?;
+        check_not_negative(tear_strain, "tear_strain")?;
+        check_not_negative(toughness, "toughness")?;
+        check_in(drag, Factor::ZERO..=Face::DRAG_MAX, "drag")
+    }
+
     fn is_tethered(&self) -> bool {
         self.attachments && self.tear_strain == Factor::ZERO
     }
@@ -100,7 +115,7 @@ impl Cloth {
     ) -> Result<Option<Distance>, RangeError> {
         let [a, b] = ends.map(|end| mesh.vertices()[end as usize]);
         let length = a.distance(b);
-        check(length <= Distance::REST_LENGTH_MAX, "rest_length")?;
+        check_in(length, Real::ZERO..=Distance::REST_LENGTH_MAX, "rest_length")?;
         let [a, b] = ends.map(Assembly::id);
         let Self { tear_strain, toughness, form, .. } = *self;
         let link = Distance::new(a, b, length).form(form).stiffness(stiffness);

@@ -5,7 +5,7 @@ use core::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::math::Factor;
-use crate::particle::{ParticleId, RangeError, check};
+use crate::particle::{ParticleId, RangeError, check_in};
 use crate::store::Handle;
 
 /// Names a face of a world.
@@ -56,8 +56,10 @@ impl Face {
     /// Names the first field that is out of its range.
     pub fn validate(&self) -> Result<(), RangeError> {
         let Self { corners: [a, b, c], drag, enabled: _, user: _ } = self;
-        check(a != b && b != c && c != a, "corners")?;
-        check((Factor::ZERO..=Self::DRAG_MAX).contains(drag), "drag")
+        if a == b || b == c || c == a {
+            return Err(RangeError::same_particle("corners"));
+        }
+        check_in(*drag, Factor::ZERO..=Self::DRAG_MAX, "drag")
     }
 }
 

@@ -15,5 +15,5 @@ pub use plant::Plant;
 pub use rope::Rope;
 pub(crate) use wind::{Air, Gust};
 
-/// The most faces a world may have: the pushes of all on one particle fit 62 bits (`wind.rs`).
+/// The most faces a world may have: the pushes of all on one particle fit 62 bits.
 pub const FACES_MAX: usize = 1 << 20;

@@ -4,7 +4,7 @@ use super::{Assembly, Cloth};
 use crate::constraint::{Distance, DistanceForm};
 use crate::geometry::TriangleMesh;
 use crate::math::{Factor, Real, Unit, Vec3};
-use crate::particle::{ParticleSpec, RangeError, check};
+use crate::particle::{ParticleSpec, RangeError, check_in};
 use crate::real;
 use crate::store::slot_index;
 
@@ -17,8 +17,8 @@ use crate::store::slot_index;
 pub struct Plant {
     /// Its edges and faces, like those of a cloth; long-range attachments are not used.
     pub cloth: Cloth,
-    /// Metres a newton by which the distances to the stakes give, more than 0 for a plant that
-    /// moves. Default 0.5.
+    /// Metres a newton by which the distances to the stakes give, 0 to 1, more than 0 for a plant
+    /// that moves. Default 0.5.
     pub compliance: Unit,
     /// How far the stakes stand from the middle of the roots, metres, more than 0 and at
     /// most 1,024. Default 1.
@@ -38,11 +38,11 @@ impl Plant {
         mesh: &TriangleMesh,
         rooted: impl Fn(u32) -> bool,
     ) -> Result<Assembly, RangeError> {
-        check((Real::ULP..=Distance::REST_LENGTH_MAX).contains(&self.spread), "spread")?;
+        self.validate()?;
         let cloth = Cloth { attachments: false, ..self.cloth };
         let mut plant = cloth.of(mesh, &rooted)?;
         let first = plant.particles.iter().find(|spec| spec.particle.pinned);
-        let middle = first.ok_or(RangeError { field: "rooted" })?.position;
+        let middle = first.ok_or(RangeError::empty("rooted"))?.position;
         let stakes = self.stakes(middle);
         let count = plant.particles.len();
         for (vertex, spec) in (0u32..).zip(&plant.particles[..count]) {
@@ -50,8 +50,7 @@ impl Plant {
                 continue;
             }
             for (stake, &at) in (0u32..).zip(&stakes) {
-                let length = spec.position.distance(at);
-                check((Real::ULP..=Distance::REST_LENGTH_MAX).contains(&length), "rest_length")?;
+                let length = Assembly::length(spec.position, at)?;
                 let stake = Assembly::id(slot_index(count) + stake);
                 let hold = Distance::new(stake, Assembly::id(vertex), length);
                 let hold = hold.form(DistanceForm::Exact).compliance(self.compliance);
@@ -60,6 +59,16 @@ impl Plant {
         }
         plant.particles.extend(stakes.map(|at| ParticleSpec::at(at).pinned()));
         Ok(plant)
+    }
+
+    /// Checks every declared range.
+    ///
+    /// # Errors
+    /// Names the first field that is out of its range.
+    pub fn validate(&self) -> Result<(), RangeError> {
+        self.cloth.validate()?;
+        check_in(self.compliance, Unit::ZERO..=Unit::ONE, "compliance")?;
+        check_in(self.spread, Real::ULP..=Distance::REST_LENGTH_MAX, "spread")
     }
 
     /// Corners of a triangle around the middle of the roots, level with it.

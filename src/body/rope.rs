@@ -6,18 +6,18 @@ use super::Assembly;
 use super::tether::tethers;
 use crate::constraint::{Distance, DistanceForm};
 use crate::math::{Real, Unit, Vec3};
-use crate::particle::{RangeError, WORLD_LIMIT, check, within};
+use crate::particle::{Particle, RangeError, WORLD_LIMIT, check_in, check_within};
 use crate::real;
 
 /// What a rope is like: particles in a line, each linked to the next.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Rope {
-    /// Of each particle, kilograms. Default 0.1.
+    /// Of each particle, kilograms, 0.001 to 1,000,000. Default 0.1.
     pub mass: Real,
-    /// Of the links. Default 1.
+    /// Of the links, 0 to 1. Default 1.
     pub stiffness: Unit,
-    /// Stiffness of the distances to the next but one particle, which resist bending; 0 for none.
-    /// Default 0.
+    /// Stiffness of the distances to the next but one particle, which resist bending, 0 to 1; 0 for
+    /// none. Default 0.
     pub bending: Unit,
     /// Of all distances. Default [`DistanceForm::DivisionFree`].
     pub form: DistanceForm,
@@ -30,13 +30,14 @@ impl Rope {
     ///
     /// # Errors
     /// A point is outside of any world; two points that follow one another coincide, or are farther
-    /// apart than [`Distance::REST_LENGTH_MAX`].
+    /// apart than [`Distance::REST_LENGTH_MAX`]; a number is out of its range.
     pub fn along(
         &self,
         points: &[Vec3],
         pinned: impl Fn(u32) -> bool,
     ) -> Result<Assembly, RangeError> {
-        check(points.iter().all(|&point| within(point, WORLD_LIMIT)), "position")?;
+        self.validate()?;
+        points.iter().try_for_each(|&point| check_within(point, WORLD_LIMIT, "position"))?;
         let mut rope = Assembly {
             particles: Assembly::particles_at(points, self.mass, pinned),
             distances: self.links(points, 1, self.stiffness)?,
@@ -50,6 +51,17 @@ impl Rope {
         Ok(rope)
     }
 
+    /// Checks every declared range.
+    ///
+    /// # Errors
+    /// Names the first field that is out of its range.
+    pub fn validate(&self) -> Result<(), RangeError> {
+        let Self { mass, stiffness, bending, form: _, attachments: _ } = *self;
+        check_in(mass, Particle::MASS_MIN..=Particle::MASS_MAX, "mass")?;
+        check_in(stiffness, Unit::ZERO..=Unit::ONE, "stiffness")?;
+        check_in(bending, Unit::ZERO..=Unit::ONE, "bending")
+    }
+
     /// Links from each point to the next, or to the `stride`-th.
     fn links(
         &self,
@@ -60,8 +72,7 @@ impl Rope {
         let pairs = points.iter().zip(points.iter().skip(stride));
         let ends = (0u32..).zip(u32::try_from(stride).unwrap_or(u32::MAX)..);
         let link = |((a, b), (from, to)): ((&Vec3, &Vec3), (u32, u32))| {
-            let length = a.distance(*b);
-            check((Real::ULP..=Distance::REST_LENGTH_MAX).contains(&length), "rest_length")?;
+            let length = Assembly::length(*a, *b)?;
             let link = Distance::new(Assembly::id(from), Assembly::id(to), length);
             Ok(link.form(self.form).stiffness(stiffness))
         };

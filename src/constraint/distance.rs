@@ -5,7 +5,7 @@ use core::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::math::{Factor, Real, Unit};
-use crate::particle::{ParticleId, RangeError, check};
+use crate::particle::{ParticleId, RangeError, check_in, check_not_negative};
 use crate::store::Handle;
 
 /// Names a distance constraint of a world.
@@ -132,15 +132,16 @@ impl Distance {
     pub fn validate(&self) -> Result<(), RangeError> {
         let Self { a, b, rest_length, slack, stiffness, compliance, .. } = self;
         let Self { tear_strain, toughness, damage, form: _, enabled: _, user: _, .. } = self;
-        check(a != b, "b")?;
-        let lengths = Real::ULP..=Self::REST_LENGTH_MAX;
-        check(lengths.contains(rest_length), "rest_length")?;
-        check((Real::ZERO..=*rest_length).contains(slack), "slack")?;
-        check((Unit::ZERO..=Unit::ONE).contains(stiffness), "stiffness")?;
-        check((Unit::ZERO..=Unit::ONE).contains(compliance), "compliance")?;
-        check(*tear_strain >= Factor::ZERO, "tear_strain")?;
-        check(*toughness >= Factor::ZERO, "toughness")?;
-        check(*damage >= Factor::ZERO, "damage")
+        if a == b {
+            return Err(RangeError::same_particle("b"));
+        }
+        check_in(*rest_length, Real::ULP..=Self::REST_LENGTH_MAX, "rest_length")?;
+        check_in(*slack, Real::ZERO..=*rest_length, "slack")?;
+        check_in(*stiffness, Unit::ZERO..=Unit::ONE, "stiffness")?;
+        check_in(*compliance, Unit::ZERO..=Unit::ONE, "compliance")?;
+        check_not_negative(*tear_strain, "tear_strain")?;
+        check_not_negative(*toughness, "toughness")?;
+        check_not_negative(*damage, "damage")
     }
 }
 

@@ -11,7 +11,9 @@ use crate::math::wide::{
     to_i64,
 };
 use crate::math::{Factor, Unit, UnitVec3, Vec3};
-use crate::particle::{DISPLACEMENT_LIMIT, RangeError, WORLD_LIMIT, check, clamp_longest, within};
+use crate::particle::{
+    DISPLACEMENT_LIMIT, RangeError, WORLD_LIMIT, check, check_in, check_within, clamp_longest,
+};
 use crate::store::{Handle, slot_index};
 
 /// Names a half-space of a world.
@@ -48,10 +50,10 @@ impl HalfSpace {
     /// Names the first field that is out of its range.
     pub fn validate(&self) -> Result<(), RangeError> {
         let Self { point, normal, friction, restitution, enabled: _, user: _ } = self;
-        check(within(*point, WORLD_LIMIT), "point")?;
+        check_within(*point, WORLD_LIMIT, "point")?;
         check(normal.is_unit(), "normal")?;
-        check((Factor::ZERO..=Self::FRICTION_MAX).contains(friction), "friction")?;
-        check((Unit::ZERO..=Unit::ONE).contains(restitution), "restitution")
+        check_in(*friction, Factor::ZERO..=Self::FRICTION_MAX, "friction")?;
+        check_in(*restitution, Unit::ZERO..=Unit::ONE, "restitution")
     }
 
     /// Depth of a point behind the plane in raw units, negative in front; rounded once.

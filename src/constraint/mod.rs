@@ -41,9 +41,9 @@ pub use volume::{Volume, VolumeId};
 
 /// The most distance constraints a world may have.
 ///
-/// With at most 64 iterations and 2^32.4 raw units a correction (`correction/mod.rs`), relaxation
-/// moves a particle by less than 2^59.4 raw units, so positions stay below 2^60.9 and differences
-/// of positions below 2^61.9: every sum and dot product of the relaxation fits its type.
+/// With at most 64 iterations and 2^32.4 raw units a correction, relaxation moves a particle by
+/// less than 2^59.4 raw units, so positions stay below 2^60.9 and differences of positions below
+/// 2^61.9: every sum and dot product of the relaxation fits its type.
 pub const DISTANCES_MAX: usize = 1 << 21;
 
 /// The most volume constraints a world may have.

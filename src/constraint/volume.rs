@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::tetrahedron::{cross, edges};
 use crate::math::wide::{dot_wide, round_div_wide, to_i64};
 use crate::math::{Real, Unit, Vec3};
-use crate::particle::{ParticleId, RangeError, WORLD_LIMIT, check, within};
+use crate::particle::{ParticleId, RangeError, WORLD_LIMIT, check_in, within};
 use crate::store::Handle;
 
 /// Names a volume constraint of a world.
@@ -72,10 +72,12 @@ impl Volume {
     pub fn validate(&self) -> Result<(), RangeError> {
         let Self { corners, rest_volume, stiffness, enabled: _, user: _ } = self;
         let different = (0..4).all(|k| !corners[..k].contains(&corners[k]));
-        check(different, "corners")?;
+        if !different {
+            return Err(RangeError::same_particle("corners"));
+        }
         let limit = Self::REST_VOLUME_MAX;
-        check((-limit..=limit).contains(rest_volume), "rest_volume")?;
-        check((Unit::ZERO..=Unit::ONE).contains(stiffness), "stiffness")
+        check_in(*rest_volume, -limit..=limit, "rest_volume")?;
+        check_in(*stiffness, Unit::ZERO..=Unit::ONE, "stiffness")
     }
 
     /// Six times the rest volume in cubic raw units, below 2^100.

@@ -1,10 +1,9 @@
 //! What a particle is, apart from where it is.
 
-use core::fmt;
-
 use serde::{Deserialize, Serialize};
 
-use super::WORLD_LIMIT;
+use super::range::{check_in, check_within};
+use super::{RangeError, WORLD_LIMIT};
 use crate::math::{Factor, Real, Vec3};
 use crate::real;
 
@@ -39,13 +38,6 @@ pub struct ParticleSpec {
     pub particle: Particle,
 }
 
-/// A number is out of the range that its field declares.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub struct RangeError {
-    /// The field, as the API spells it.
-    pub field: &'static str,
-}
-
 impl Particle {
     /// Least mass: 1 g.
     pub const MASS_MIN: Real = real!("0.001");
@@ -62,10 +54,10 @@ impl Particle {
     /// Names the first field that is out of its range.
     pub fn validate(&self) -> Result<(), RangeError> {
         let Self { mass, gravity_scale, acceleration, pinned: _, enabled: _, user: _ } = self;
-        check((Self::MASS_MIN..=Self::MASS_MAX).contains(mass), "mass")?;
-        let scale = gravity_scale.raw().unsigned_abs();
-        check(scale <= Self::GRAVITY_SCALE_MAX.raw().unsigned_abs(), "gravity_scale")?;
-        check(within(*acceleration, Self::ACCELERATION_MAX.raw()), "acceleration")
+        check_in(*mass, Self::MASS_MIN..=Self::MASS_MAX, "mass")?;
+        let scale = Self::GRAVITY_SCALE_MAX;
+        check_in(*gravity_scale, Factor::from_raw(-scale.raw())..=scale, "gravity_scale")?;
+        check_within(*acceleration, Self::ACCELERATION_MAX.raw(), "acceleration")
     }
 
     /// Whether forces and constraints can move it.
@@ -129,19 +121,9 @@ impl ParticleSpec {
     /// Names the first field that is out of its range.
     pub fn validate(&self) -> Result<(), RangeError> {
         let Self { position, velocity: _, particle } = self;
-        check(within(*position, WORLD_LIMIT), "position")?;
+        check_within(*position, WORLD_LIMIT, "position")?;
         particle.validate()
     }
-}
-
-/// An error that names the field, unless its value is good.
-pub(crate) fn check(good: bool, field: &'static str) -> Result<(), RangeError> {
-    if good { Ok(()) } else { Err(RangeError { field }) }
-}
-
-/// Whether every component is within `+-limit` (raw).
-pub(crate) fn within(v: Vec3, limit: i64) -> bool {
-    v.raw().iter().all(|c| c.unsigned_abs() <= limit.unsigned_abs())
 }
 
 impl Default for Particle {
@@ -162,11 +144,3 @@ impl Default for ParticleSpec {
         Self { position: Vec3::ZERO, velocity: Vec3::ZERO, particle: Particle::default() }
     }
 }
-
-impl fmt::Display for RangeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} is out of range", self.field)
-    }
-}
-
-impl core::error::Error for RangeError {}

@@ -9,11 +9,13 @@
 //! | displacement | metres a substep, likewise in `i32` | +-64 m ([`DISPLACEMENT_LIMIT`]) |
 
 mod attributes;
+mod range;
 mod set;
 mod verlet;
 
-pub use attributes::{Particle, ParticleSpec, RangeError};
-pub(crate) use attributes::{check, within};
+pub use attributes::{Particle, ParticleSpec};
+pub use range::{RangeError, RangeFault};
+pub(crate) use range::{check, check_in, check_not_negative, check_within, within};
 pub use set::{ParticleId, ParticleSet};
 pub(crate) use verlet::{Drive, Fault, Pace, PinMotion, Substep, acceleration, clamp_longest};
 
@@ -24,5 +26,6 @@ pub const WORLD_LIMIT: i64 = 1 << 60;
 /// products of two of them fit 62.
 pub const DISPLACEMENT_LIMIT: i64 = 1 << 30;
 
-/// The most particle slots a world may have: 2^22, while fuzzing fewer.
+/// The most particle slots a world may have: 2^22.
+// While fuzzing fewer, so that no world takes long.
 pub const PARTICLES_MAX: usize = if cfg!(fuzzing) { 1 << 12 } else { 1 << 22 };

@@ -52,7 +52,7 @@ pub fn verify<S: Simulation>(
 pub fn seek<S: Simulation>(replay: &Replay<'_>, tick: u64) -> Result<S, DecodeError> {
     let last = replay.first_tick() + replay.len();
     if !(replay.first_tick()..=last).contains(&tick) {
-        let error = RangeError { field: "tick" };
+        let error = RangeError::new("tick");
         return Err(DecodeError::new(0, DecodeReason::OutOfRange(error)));
     }
     let mut simulation = match replay.keyframe_before::<S>(tick)? {

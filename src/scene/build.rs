@@ -13,8 +13,8 @@ use super::shape::Shape;
 use super::volume::{self, VolumeEntry};
 use crate::body::Assembly;
 use crate::constraint::Distance;
-use crate::math::Vec3;
-use crate::particle::{ParticleId, ParticleSpec};
+use crate::math::{Real, Vec3};
+use crate::particle::{ParticleId, ParticleSpec, RangeError};
 use crate::world::{World, WorldBuilder};
 
 /// A world that is being filled.
@@ -23,8 +23,11 @@ struct Build {
     /// The particles made so far, in order.
     particles: Vec<(ParticleId, Vec3)>,
     /// The distances of shapes; made after those of the file.
-    links: Vec<(Place, Distance)>,
+    links: Vec<(Place, Distance, Rename)>,
 }
+
+/// What a scene calls a field of an object.
+type Rename = fn(&'static str) -> &'static str;
 
 /// Makes the objects of a scene in the order that the floor's documentation states.
 pub(super) fn build(description: &Description, meshes: &Meshes) -> Result<World, SceneError> {
@@ -33,7 +36,7 @@ pub(super) fn build(description: &Description, meshes: &Meshes) -> Result<World,
     world.seed(description.seed);
     let mut build = Build { world, particles: Vec::new(), links: Vec::new() };
     for (index, ParticleEntry(spec)) in (0u32..).zip(&description.particles) {
-        build.particle(Place::at("particles", index), spec)?;
+        build.particle(Place::at("particles", index), spec, as_is)?;
     }
     build.shapes(&description.ropes)?;
     build.shapes(&description.nets)?;
@@ -47,10 +50,10 @@ pub(super) fn build(description: &Description, meshes: &Meshes) -> Result<World,
         build.assemble(place, &plant.plant(place, meshes)?)?;
     }
     for (index, DistanceEntry(distance)) in (0u32..).zip(&description.distances) {
-        build.distance(Place::at("distances", index), distance)?;
+        build.distance(Place::at("distances", index), distance, as_is)?;
     }
-    for (place, distance) in core::mem::take(&mut build.links) {
-        build.distance(place, &distance)?;
+    for (place, distance, rename) in core::mem::take(&mut build.links) {
+        build.distance(place, &distance, rename)?;
     }
     for (index, HalfSpaceEntry(half_space)) in (0u32..).zip(&description.half_spaces) {
         let made = build.world.half_space(half_space);
@@ -69,8 +72,13 @@ pub(super) fn build(description: &Description, meshes: &Meshes) -> Result<World,
 }
 
 impl Build {
-    fn particle(&mut self, place: Place, spec: &ParticleSpec) -> Result<(), SceneError> {
-        let id = self.world.particle(spec).map_err(|why| place.refuses(why))?;
+    fn particle(
+        &mut self,
+        place: Place,
+        spec: &ParticleSpec,
+        rename: Rename,
+    ) -> Result<(), SceneError> {
+        let id = self.world.particle(spec).map_err(|why| place.refuses_as(why, rename))?;
         self.particles.push((id, spec.position));
         Ok(())
     }
@@ -87,12 +95,12 @@ impl Build {
             let place = Place::at(S::SECTION, number);
             let first = self.particles.len();
             for spec in shape.particles(number) {
-                self.particle(place, &spec)?;
+                self.particle(place, &spec, S::name_of)?;
             }
             let made = &self.particles[first..];
             self.links.extend(shape.links().map(|ends| {
                 let [a, b] = ends.map(|end| made[end as usize].0);
-                (place, Distance { a, b, ..shape.link() })
+                (place, Distance { a, b, ..shape.link() }, S::name_of as Rename)
             }));
         }
         Ok(())
@@ -103,9 +111,21 @@ impl Build {
         self.particles.get(id.0.slot()).map(|&(_, position)| position)
     }
 
-    fn distance(&mut self, place: Place, distance: &Distance) -> Result<(), SceneError> {
+    fn distance(
+        &mut self,
+        place: Place,
+        distance: &Distance,
+        rename: Rename,
+    ) -> Result<(), SceneError> {
         let placed = as_placed(distance, |id| self.position(id));
-        self.world.distance(&placed).map_err(|why| place.refuses(why))?;
+        if placed.rest_length == Real::ZERO && placed.a != placed.b {
+            return Err(place.refuses_as(RangeError::coincident("rest_length"), rename));
+        }
+        self.world.distance(&placed).map_err(|why| place.refuses_as(why, rename))?;
         Ok(())
     }
+}
+
+fn as_is(field: &'static str) -> &'static str {
+    field
 }

@@ -7,23 +7,27 @@ use alloc::vec::Vec;
 use serde::Deserialize;
 
 use super::error::{Place, SceneError};
-use super::number::{decimal, shift, vector};
+use super::number::{decimal, present, present_decimal, shift, vector};
 use crate::body::{Assembly, Cloth, Plant};
 use crate::constraint::DistanceForm;
 use crate::geometry::{Grid, TriangleMesh};
 use crate::math::{Factor, Real, Unit, Vec3};
-use crate::particle::{Particle, RangeError, check};
+use crate::particle::{RangeError, check_in};
+use crate::store::slot_index;
 
 /// The meshes of the files that a scene names.
 pub(super) type Meshes = BTreeMap<String, TriangleMesh>;
 
 /// Where a mesh comes from.
 #[derive(Clone, Debug, Deserialize)]
-pub(super) enum Source {
+#[serde(rename = "Mesh", deny_unknown_fields)]
+enum Source {
     /// An OBJ file.
     File(String),
     /// A parallelogram.
     Grid {
+        #[serde(default, deserialize_with = "vector")]
+        corner: Vec3,
         #[serde(deserialize_with = "vector")]
         edge_u: Vec3,
         #[serde(deserialize_with = "vector")]
@@ -35,7 +39,8 @@ pub(super) enum Source {
 
 /// Which vertices are pinned.
 #[derive(Clone, Debug, Default, Deserialize)]
-pub(super) enum Vertices {
+#[serde(rename = "Pinned")]
+enum Vertices {
     #[default]
     None,
     /// Those of the greatest y.
@@ -46,9 +51,9 @@ pub(super) enum Vertices {
     Places(Vec<u32>),
 }
 
-/// A body of a mesh as a scene file describes it.
+/// A body of a mesh, cloth or plant, as a scene file describes it.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(rename = "Body", deny_unknown_fields)]
 pub(super) struct Sheet {
     mesh: Source,
     /// Is added to the vertices.
@@ -56,6 +61,7 @@ pub(super) struct Sheet {
     at: Vec3,
     #[serde(default)]
     pinned: Vertices,
+    /// Of each particle.
     #[serde(default = "mass", deserialize_with = "decimal")]
     mass: Real,
     #[serde(default = "stiffness", deserialize_with = "decimal")]
@@ -64,19 +70,20 @@ pub(super) struct Sheet {
     bending: Unit,
     #[serde(default = "form")]
     form: DistanceForm,
-    #[serde(default = "attachments")]
-    attachments: bool,
+    /// Of cloth only.
+    #[serde(default, deserialize_with = "present")]
+    attachments: Option<bool>,
     #[serde(default, deserialize_with = "decimal")]
     tear_strain: Factor,
     #[serde(default, deserialize_with = "decimal")]
     toughness: Factor,
     #[serde(default, deserialize_with = "decimal")]
     drag: Factor,
-    /// Of a plant's stakes; for cloth nothing.
-    #[serde(default = "compliance", deserialize_with = "decimal")]
-    compliance: Unit,
-    #[serde(default = "spread", deserialize_with = "decimal")]
-    spread: Real,
+    /// Of a plant's stakes.
+    #[serde(default, deserialize_with = "present_decimal")]
+    compliance: Option<Unit>,
+    #[serde(default, deserialize_with = "present_decimal")]
+    spread: Option<Real>,
 }
 
 fn mass() -> Real {
@@ -93,18 +100,6 @@ fn bending() -> Unit {
 
 fn form() -> DistanceForm {
     Cloth::default().form
-}
-
-fn attachments() -> bool {
-    Cloth::default().attachments
-}
-
-fn compliance() -> Unit {
-    Plant::default().compliance
-}
-
-fn spread() -> Real {
-    Plant::default().spread
 }
 
 impl Sheet {
@@ -134,47 +129,48 @@ impl Sheet {
 
     /// The parts of the cloth.
     pub(super) fn cloth(&self, place: Place, meshes: &Meshes) -> Result<Assembly, SceneError> {
+        lacks(place, self.compliance.is_some(), "compliance")?;
+        lacks(place, self.spread.is_some(), "spread")?;
         let mesh = self.mesh(place, meshes)?;
-        let pinned = self.pinned.of(&mesh);
-        let made = self.body().and_then(|cloth| cloth.of(&mesh, pinned));
-        made.map_err(|why| place.refuses(why))
+        let made = self.pinned.of(&mesh).and_then(|pinned| self.body().of(&mesh, pinned));
+        made.map_err(|why| place.refuses_as(why, name_of))
     }
 
     /// The parts of the plant.
     pub(super) fn plant(&self, place: Place, meshes: &Meshes) -> Result<Assembly, SceneError> {
+        lacks(place, self.attachments.is_some(), "attachments")?;
         let mesh = self.mesh(place, meshes)?;
-        let rooted = self.pinned.of(&mesh);
-        let Self { compliance, spread, .. } = *self;
-        let made = self.body().and_then(|cloth| {
-            let plant = Plant { cloth, compliance, spread };
-            plant.of(&mesh, rooted)
-        });
-        made.map_err(|why| place.refuses(why))
+        let usual = Plant::default();
+        let plant = Plant {
+            cloth: self.body(),
+            compliance: self.compliance.unwrap_or(usual.compliance),
+            spread: self.spread.unwrap_or(usual.spread),
+        };
+        let made = self.pinned.of(&mesh).and_then(|rooted| plant.of(&mesh, rooted));
+        made.map_err(|why| place.refuses_as(why, name_of))
     }
 
-    fn body(&self) -> Result<Cloth, RangeError> {
-        let Self { mass, stiffness, bending, form, attachments, .. } = *self;
-        let Self { tear_strain, toughness, drag, .. } = *self;
-        check((Particle::MASS_MIN..=Particle::MASS_MAX).contains(&mass), "mass")?;
-        Ok(Cloth { mass, stiffness, bending, form, attachments, tear_strain, toughness, drag })
+    fn body(&self) -> Cloth {
+        let Self { mass, stiffness, bending, form, tear_strain, toughness, drag, .. } = *self;
+        let attachments = self.attachments.unwrap_or(Cloth::default().attachments);
+        Cloth { mass, stiffness, bending, form, attachments, tear_strain, toughness, drag }
     }
 
     /// Its mesh, in its place.
     fn mesh(&self, place: Place, meshes: &Meshes) -> Result<TriangleMesh, SceneError> {
         let refused = |why| SceneError::Mesh { place, why };
         match &self.mesh {
-            Source::Grid { edge_u, edge_v, columns, rows } => {
-                let (edge_u, edge_v, columns, rows) = (*edge_u, *edge_v, *columns, *rows);
-                let grid = Grid { corner: self.at, edge_u, edge_v, columns, rows };
+            &Source::Grid { corner, edge_u, edge_v, columns, rows } => {
+                let corner = moved(corner, self.at);
+                let grid = Grid { corner, edge_u, edge_v, columns, rows };
                 TriangleMesh::grid(&grid).map_err(refused)
             }
             Source::File(name) => {
-                let mesh = meshes.get(name).ok_or(SceneError::NoMesh { place })?;
-                let moved = mesh.vertices().iter().map(|vertex| {
-                    let sum = [0, 1, 2].map(|k| vertex.raw()[k].saturating_add(self.at.raw()[k]));
-                    Vec3::from_raw(sum)
-                });
-                TriangleMesh::new(moved, mesh.faces().iter().copied()).map_err(refused)
+                // `Scene::parse_with` has read it.
+                let missing = || SceneError::NoMesh { place, why: name.clone() };
+                let mesh = meshes.get(name).ok_or_else(missing)?;
+                let vertices = mesh.vertices().iter().map(|&vertex| moved(vertex, self.at));
+                TriangleMesh::new(vertices, mesh.faces().iter().copied()).map_err(refused)
             }
         }
     }
@@ -182,8 +178,10 @@ impl Sheet {
 
 impl Vertices {
     /// Whether a vertex is one of them.
-    fn of(&self, mesh: &TriangleMesh) -> impl Fn(u32) -> bool {
-        let heights = || mesh.vertices().iter().map(|vertex| vertex.y);
+    fn of(&self, mesh: &TriangleMesh) -> Result<impl Fn(u32) -> bool, RangeError> {
+        let vertices = mesh.vertices();
+        let last = slot_index(vertices.len().saturating_sub(1));
+        let heights = || vertices.iter().map(|vertex| vertex.y);
         let level = match self {
             Self::None | Self::Places(_) => None,
             Self::Top => heights().max(),
@@ -193,6 +191,26 @@ impl Vertices {
             Self::Places(places) => places.iter().copied().collect(),
             _ => BTreeSet::new(),
         };
-        move |vertex| places.contains(&vertex) || level == Some(mesh.vertices()[vertex as usize].y)
+        places.iter().try_for_each(|&place| check_in(place, 0..=last, "pinned"))?;
+        Ok(move |vertex| places.contains(&vertex) || level == Some(vertices[vertex as usize].y))
     }
+}
+
+/// What a scene calls the fields of bodies and their parts.
+fn name_of(field: &'static str) -> &'static str {
+    match field {
+        "rooted" => "pinned",
+        "rest_length" => "mesh: a link",
+        field => field,
+    }
+}
+
+/// Refuses a field that is there, of a body that has no use for it.
+fn lacks(place: Place, there: bool, field: &'static str) -> Result<(), SceneError> {
+    if there { Err(SceneError::NoField { place, field }) } else { Ok(()) }
+}
+
+/// What leaves the range of the sum leaves the world, and is refused.
+fn moved(position: Vec3, by: Vec3) -> Vec3 {
+    Vec3::from_raw([0, 1, 2].map(|k| position.raw()[k].saturating_add(by.raw()[k])))
 }

@@ -8,7 +8,7 @@ use super::number::{Masses, decimal, draw_point, shift, vector};
 use super::shape::Shape;
 use crate::constraint::Distance;
 use crate::math::{Pcg, Real, Vec3};
-use crate::particle::{ParticleSpec, RangeError, WORLD_LIMIT, check, within};
+use crate::particle::{ParticleSpec, RangeError, WORLD_LIMIT, check_in, check_within};
 
 /// A cloud as a scene file describes it.
 #[derive(Clone, Debug, Deserialize)]
@@ -30,6 +30,10 @@ pub(super) struct Cloud {
 impl Shape for Cloud {
     const SECTION: &'static str = "clouds";
 
+    fn name_of(field: &'static str) -> &'static str {
+        if field == "velocity" { "speed" } else { field }
+    }
+
     fn shift(&mut self, origin: Vec3) -> Result<(), RangeError> {
         shift(&mut self.min, origin, "min")?;
         shift(&mut self.max, origin, "max")
@@ -38,7 +42,7 @@ impl Shape for Cloud {
     fn validate(&self) -> Result<(), RangeError> {
         validate_box(self.min, self.max)?;
         self.mass.validate()?;
-        check(self.speed >= Real::ZERO, "speed")
+        validate_speed(self.speed)
     }
 
     fn count(&self) -> [u64; 2] {
@@ -66,9 +70,15 @@ impl Shape for Cloud {
 
 /// Both corners are inside the world and in order.
 pub(super) fn validate_box(min: Vec3, max: Vec3) -> Result<(), RangeError> {
-    check(within(min, WORLD_LIMIT), "min")?;
-    let ordered = min.x <= max.x && min.y <= max.y && min.z <= max.z;
-    check(within(max, WORLD_LIMIT) && ordered, "max")
+    check_within(min, WORLD_LIMIT, "min")?;
+    let limit = Real::from_raw(WORLD_LIMIT);
+    let sides = [(min.x, max.x), (min.y, max.y), (min.z, max.z)];
+    sides.into_iter().try_for_each(|(min, max)| check_in(max, min..=limit, "max"))
+}
+
+/// A speed is not negative.
+pub(super) fn validate_speed(speed: Real) -> Result<(), RangeError> {
+    check_in(speed, Real::ZERO..=Real::MAX, "speed")
 }
 
 /// A velocity with components of at most `speed`, which is not negative.

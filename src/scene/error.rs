@@ -1,5 +1,6 @@
 //! Why a text is not a scene.
 
+use alloc::format;
 use alloc::string::{String, ToString};
 use core::fmt;
 
@@ -32,10 +33,19 @@ pub enum SceneError {
         /// Its field, and why.
         why: Refusal,
     },
-    /// The file of a mesh was not given, or not found.
+    /// The file of a mesh cannot be had.
     NoMesh {
         /// Which part names it.
         place: Place,
+        /// Which file, and why not.
+        why: String,
+    },
+    /// A field is set that objects of this list do not have, though similar ones do.
+    NoField {
+        /// Which part.
+        place: Place,
+        /// Its field.
+        field: &'static str,
     },
     /// The file of a mesh is not one.
     Obj {
@@ -84,6 +94,22 @@ impl Place {
     pub(super) fn refuses(self, why: impl Into<Refusal>) -> SceneError {
         SceneError::Refused { place: self, why: why.into() }
     }
+
+    /// The error of this part, whose fields the scene calls otherwise than the objects of which it
+    /// is made.
+    pub(super) fn refuses_as(
+        self,
+        why: impl Into<Refusal>,
+        rename: fn(&'static str) -> &'static str,
+    ) -> SceneError {
+        let why = match why.into() {
+            Refusal::OutOfRange(error) => {
+                Refusal::OutOfRange(RangeError { field: rename(error.field), ..error })
+            }
+            why => why,
+        };
+        self.refuses(why)
+    }
 }
 
 /// Applies `check` to every element; the error names the first that fails.
@@ -102,8 +128,19 @@ impl From<SpannedError> for SceneError {
         let at = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
         let SpannedError { code, span } = error;
         let (line, column) = (at(span.start.line), at(span.start.col));
-        Self::Syntax { line, column, message: code.to_string() }
+        let message = match code {
+            ron::Error::SuggestRawIdentifier(found) if found.starts_with(|c: char| !is_name(c)) => {
+                format!("expected the name of a field, found `{found}`")
+            }
+            code => code.to_string(),
+        };
+        Self::Syntax { line, column, message }
     }
+}
+
+/// Whether the name of a field can begin with this.
+fn is_name(c: char) -> bool {
+    c.is_alphabetic() || c == '_'
 }
 
 impl fmt::Display for Place {
@@ -128,7 +165,10 @@ impl fmt::Display for SceneError {
                 Refusal::OutOfRange(_) | Refusal::Stale { .. } => write!(f, "{place}.{why}"),
                 _ => write!(f, "{place}: {why}"),
             },
-            Self::NoMesh { place } => write!(f, "{place}.mesh: no such file"),
+            Self::NoMesh { place, why } => write!(f, "{place}.mesh: {why}"),
+            Self::NoField { place, field } => {
+                write!(f, "{place}.{field}: {} have no such field", place.section)
+            }
             Self::Obj { file, why } => write!(f, "{file}: {why}"),
             Self::Mesh { place, why } => write!(f, "{place}.mesh: {why}"),
             Self::TooMany { kind, most } => write!(f, "scene makes more than {most} {kind}"),

@@ -1,41 +1,14 @@
 //! Floor 9: worlds and what happens in them, written as text.
 //!
 //! A scene is a RON file: one struct, in which `version: 1` is required and everything else has a
-//! default. Numbers are decimals, plain or quoted, and become fixed point from their text: what is
-//! written is what is simulated, to the nearest step.
-//!
-//! | field | holds |
-//! |---|---|
-//! | `config` | a [`WorldConfig`](crate::world::WorldConfig) |
-//! | `seed` | of the world's random generator |
-//! | `ticks` | how long the scene is meant to run; 600 |
-//! | `origin` | is added, exactly, to every position in the file |
-//! | `particles` | `position velocity mass gravity_scale acceleration pinned enabled user` |
-//! | `ropes` | `from to particles mass pinned stiffness form` |
-//! | `nets` | `corner edge_u edge_v columns rows mass pinned stiffness form diagonals` |
-//! | `clouds` | `count min max speed mass seed` |
-//! | `cloths` | `mesh at pinned mass stiffness bending form attachments`, |
-//! | | `tear_strain toughness drag`: a [`Cloth`](crate::body::Cloth) |
-//! | `plants` | the same and `compliance spread`: a [`Plant`](crate::body::Plant) |
-//! | `distances` | `a b rest_length slack stiffness compliance form`, |
-//! | | `tear_strain toughness damage enabled user` |
-//! | `volumes` | `corners rest_volume stiffness enabled user` |
-//! | `faces` | `corners drag enabled user` |
-//! | `half_spaces` | `point normal friction restitution enabled user` |
-//! | `timeline` | `tick player action`: one command, an [`Action`](crate::world::Action) |
-//! | `storm` | `from until player spawns removes links impulses min max speed mass` |
+//! default. Numbers are decimals, plain or quoted, with a digit first and without exponent, and
+//! become fixed point from their text: what is written is what is simulated, to the nearest step.
 //!
 //! Objects are created, and numbered from 0, in this order: particles, those of ropes, nets and
 //! clouds, all of cloths and plants; then distances, those of ropes and nets; then half-spaces,
 //! volumes and faces. These numbers are how distances and commands name them, `3` or
 //! `Particle(3)`. A number that the scene has not used names what a command spawns into that slot,
 //! if nothing else ever was in it.
-//!
-//! A `mesh` is `File("curtain.obj")`, beside the scene, or `Grid(edge_u: (1, 0, 0), edge_v: (0, -1,
-//! 0), columns: 20, rows: 20)`; `pinned` is `Top`, `Bottom`, `Places([0, 19])` or `None`.
-//!
-//! A rope's `mass` may be a pair, from its first to its last particle; a cloud's and a storm's a
-//! pair to draw between. A rest length or volume that is left out, or 0, is the one as placed.
 //!
 //! ```
 //! use verlock::scene::Scene;
@@ -57,6 +30,10 @@
 //! ```
 //!
 //! Meshes come from OBJ files, their numbers likewise from the text: [`Obj`].
+//!
+//! # Fields
+//!
+#![doc = include_str!("fields.md")]
 
 mod build;
 mod cloth;
@@ -79,6 +56,7 @@ mod storm;
 mod timeline;
 mod volume;
 
+use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -108,16 +86,17 @@ impl Scene {
     /// # Errors
     /// [`SceneError`] says where the text goes wrong. No text makes it panic.
     pub fn parse(text: &str) -> Result<Self, SceneError> {
-        Self::parse_with(text, |_| None)
+        Self::parse_with(text, |name| Err(format!("{name}: only `parse_with` reads files")))
     }
 
-    /// Reads a scene whose meshes are in files: `load` gives the text of an OBJ file by its name.
+    /// Reads a scene whose meshes are in files: `load` gives the text of an OBJ file by its name,
+    /// or says which file is wanted and why there is none.
     ///
     /// # Errors
     /// [`SceneError`] says where the text, or that of a mesh, goes wrong, or which is missing.
     pub fn parse_with(
         text: &str,
-        mut load: impl FnMut(&str) -> Option<String>,
+        mut load: impl FnMut(&str) -> Result<String, String>,
     ) -> Result<Self, SceneError> {
         let description = Description::parse(text)?;
         let mut meshes = Meshes::new();
@@ -128,8 +107,8 @@ impl Scene {
                 if meshes.contains_key(name) {
                     continue;
                 }
-                let missing = SceneError::NoMesh { place: Place::at(section, index) };
-                let text = load(name).ok_or(missing)?;
+                let place = Place::at(section, index);
+                let text = load(name).map_err(|why| SceneError::NoMesh { place, why })?;
                 let obj = Obj::parse(&text);
                 let obj = obj.map_err(|why| SceneError::Obj { file: name.into(), why })?;
                 meshes.insert(name.into(), obj.into_mesh());
@@ -153,6 +132,13 @@ impl Scene {
     #[must_use]
     pub fn commands(&self, world: &World) -> Vec<Command> {
         script::commands(&self.description, world)
+    }
+
+    /// The entries of the timeline and their ticks, in the order in which they are given. Those of
+    /// one tick are the first of its [`commands`](Self::commands), numbered from 0.
+    pub fn timeline(&self) -> impl Iterator<Item = (Place, u64)> {
+        let timeline = self.description.timeline.iter();
+        timeline.map(|entry| (Place::at("timeline", entry.index), entry.tick))
     }
 
     /// For how many ticks the scene is meant to run.

@@ -6,7 +6,7 @@ use super::number::{decimal, shift, step, vector};
 use super::shape::Shape;
 use crate::constraint::{Distance, DistanceForm};
 use crate::math::{Real, Unit, Vec3};
-use crate::particle::{ParticleSpec, RangeError, WORLD_LIMIT, check, within};
+use crate::particle::{ParticleSpec, RangeError, WORLD_LIMIT, check_in, check_within};
 
 /// A net as a scene file describes it.
 #[derive(Clone, Debug, Deserialize)]
@@ -63,16 +63,28 @@ impl Net {
 impl Shape for Net {
     const SECTION: &'static str = "nets";
 
+    fn name_of(field: &'static str) -> &'static str {
+        match field {
+            "rest_length" => "edge_u or edge_v: a link",
+            "position" => "corner, edge_u or edge_v: a position",
+            field => field,
+        }
+    }
+
     fn shift(&mut self, origin: Vec3) -> Result<(), RangeError> {
         shift(&mut self.corner, origin, "corner")
     }
 
     fn validate(&self) -> Result<(), RangeError> {
-        check(within(self.corner, WORLD_LIMIT), "corner")?;
-        check(within(self.edge_u, WORLD_LIMIT), "edge_u")?;
-        check(within(self.edge_v, WORLD_LIMIT), "edge_v")?;
-        check(self.columns >= 2, "columns")?;
-        check(self.rows >= 2, "rows")
+        check_within(self.corner, WORLD_LIMIT, "corner")?;
+        for (edge, field) in [(self.edge_u, "edge_u"), (self.edge_v, "edge_v")] {
+            check_within(edge, WORLD_LIMIT, field)?;
+            if edge == Vec3::ZERO {
+                return Err(RangeError::coincident(field));
+            }
+        }
+        check_in(self.columns, 2..=u32::MAX, "columns")?;
+        check_in(self.rows, 2..=u32::MAX, "rows")
     }
 
     fn count(&self) -> [u64; 2] {

@@ -11,10 +11,13 @@ use serde::{Deserialize, Deserializer};
 
 use crate::math::wide::round_div_wide;
 use crate::math::{DecimalError, Pcg, Real, UnitVec3, Vec3};
-use crate::particle::{Particle, RangeError, check};
+use crate::particle::{Particle, RangeError, check_in};
 
 /// A decimal, plain or quoted.
 struct Decimal<T>(T);
+
+/// How numbers are written.
+const GRAMMAR: &str = "numbers are decimals like -12.5, with a digit first and no exponent";
 
 /// A mass, or a range of masses.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +30,10 @@ impl<'de, T: FromStr<Err = DecimalError>> Deserialize<'de> for Decimal<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = source(deserializer)?;
         let unquoted = text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
-        unquoted.unwrap_or(text).parse().map(Self).map_err(D::Error::custom)
+        unquoted.unwrap_or(text).parse().map(Self).map_err(|error| match error {
+            DecimalError::OutOfRange => D::Error::custom(error),
+            _ => D::Error::custom(format_args!("{error}: {GRAMMAR}")),
+        })
     }
 }
 
@@ -43,6 +49,24 @@ where
     T: FromStr<Err = DecimalError>,
 {
     Decimal::deserialize(deserializer).map(|Decimal(number)| number)
+}
+
+/// A value that may be left out, but needs no `Some` around it where it stands.
+pub(super) fn present<'de, D, T>(deserializer: D) -> Result<Option<T>, D::Error>
+where
+    D: Deserializer<'de>,
+    T: Deserialize<'de>,
+{
+    T::deserialize(deserializer).map(Some)
+}
+
+/// A decimal that may be left out.
+pub(super) fn present_decimal<'de, D, T>(deserializer: D) -> Result<Option<T>, D::Error>
+where
+    D: Deserializer<'de>,
+    T: FromStr<Err = DecimalError>,
+{
+    present(deserializer).map(|found| found.map(|Decimal(number)| number))
 }
 
 /// Three decimals: `(1, 2.5, -3)`.
@@ -75,7 +99,8 @@ impl Masses {
     /// Checks both ends of the range.
     pub(super) fn validate(self) -> Result<(), RangeError> {
         let range = Particle::MASS_MIN..=Particle::MASS_MAX;
-        check(range.contains(&self.first) && range.contains(&self.last), "mass")
+        check_in(self.first, range.clone(), "mass")?;
+        check_in(self.last, range, "mass")
     }
 
     /// The mass after `part` of `whole` steps from the first to the last.
@@ -127,6 +152,6 @@ pub(super) fn shift(
     origin: Vec3,
     field: &'static str,
 ) -> Result<(), RangeError> {
-    *position = position.checked_add(origin).ok_or(RangeError { field })?;
+    *position = position.checked_add(origin).ok_or(RangeError::new(field))?;
     Ok(())
 }

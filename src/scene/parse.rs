@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use ron::Options;
-use serde::{Deserialize, Deserializer};
+use serde::Deserialize;
 
 use super::Scene;
 use super::cloth::Sheet;
@@ -15,7 +15,7 @@ use super::face::FaceEntry;
 use super::half_space::HalfSpaceEntry;
 use super::list::{LIST_MAX, list};
 use super::net::Net;
-use super::number::{shift, vector};
+use super::number::{present, shift, vector};
 use super::particle::ParticleEntry;
 use super::rope::Rope;
 use super::shape::Shape;
@@ -77,13 +77,11 @@ struct Version;
 /// Structs in a scene are nested six deep at most; RON counts some of them twice.
 const NESTING_MAX: usize = 32;
 
+/// What some editors write before a text.
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
 fn default_ticks() -> u64 {
     600
-}
-
-/// A value that may be left out, but needs no `Some` around it where it stands.
-fn present<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Storm>, D::Error> {
-    Storm::deserialize(deserializer).map(Some)
 }
 
 impl Description {
@@ -92,10 +90,12 @@ impl Description {
         if text.len() > Scene::TEXT_MAX {
             return Err(SceneError::TooLong);
         }
+        let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
         let options = Options::default().with_recursion_limit(NESTING_MAX);
         let mut description: Self = options.from_str(text)?;
         description.shift()?;
         description.validate()?;
+        (0u32..).zip(&mut description.timeline).for_each(|(index, entry)| entry.index = index);
         description.timeline.sort_by_key(|entry| entry.tick); // stable
         Ok(description)
     }

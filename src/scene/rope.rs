@@ -8,7 +8,7 @@ use super::number::{Masses, decimal, shift, step, vector};
 use super::shape::Shape;
 use crate::constraint::{Distance, DistanceForm};
 use crate::math::{Unit, Vec3};
-use crate::particle::{ParticleSpec, RangeError, WORLD_LIMIT, check, within};
+use crate::particle::{ParticleSpec, RangeError, WORLD_LIMIT, check_in, check_within};
 
 /// A rope as a scene file describes it.
 #[derive(Clone, Debug, Deserialize)]
@@ -32,17 +32,25 @@ pub(super) struct Rope {
 impl Shape for Rope {
     const SECTION: &'static str = "ropes";
 
+    fn name_of(field: &'static str) -> &'static str {
+        if field == "rest_length" { "to: a link" } else { field }
+    }
+
     fn shift(&mut self, origin: Vec3) -> Result<(), RangeError> {
         shift(&mut self.from, origin, "from")?;
         shift(&mut self.to, origin, "to")
     }
 
     fn validate(&self) -> Result<(), RangeError> {
-        check(within(self.from, WORLD_LIMIT), "from")?;
-        check(within(self.to, WORLD_LIMIT), "to")?;
-        check(self.particles >= 2, "particles")?;
+        check_within(self.from, WORLD_LIMIT, "from")?;
+        check_within(self.to, WORLD_LIMIT, "to")?;
+        if self.from == self.to {
+            return Err(RangeError::coincident("to"));
+        }
+        check_in(self.particles, 2..=u32::MAX, "particles")?;
         self.mass.validate()?;
-        check(cfg!(planted) || self.pinned.iter().all(|&k| k < self.particles), "pinned")
+        let last = if cfg!(planted) { u32::MAX } else { self.particles - 1 };
+        self.pinned.iter().try_for_each(|&place| check_in(place, 0..=last, "pinned"))
     }
 
     fn count(&self) -> [u64; 2] {

@@ -9,6 +9,9 @@ pub(super) trait Shape {
     /// The field of the scene that lists shapes of this kind.
     const SECTION: &'static str;
 
+    /// What it calls a field of the objects that it makes.
+    fn name_of(field: &'static str) -> &'static str;
+
     /// Moves it by the scene's origin.
     fn shift(&mut self, origin: Vec3) -> Result<(), RangeError>;
 

@@ -4,12 +4,12 @@ use alloc::vec::Vec;
 
 use serde::Deserialize;
 
-use super::cloud::{draw_velocity, validate_box};
+use super::cloud::{draw_velocity, validate_box, validate_speed};
 use super::distance::as_placed;
 use super::number::{Masses, decimal, draw_point, shift, vector};
 use crate::constraint::{Distance, DistanceForm};
 use crate::math::{Pcg, Real, Vec3};
-use crate::particle::{ParticleId, ParticleSpec, RangeError, check};
+use crate::particle::{ParticleId, ParticleSpec, RangeError, check_in};
 use crate::world::{Action, ObjectId, World};
 
 /// A storm as a scene file describes it.
@@ -53,13 +53,13 @@ impl Storm {
 
     /// Checks every declared range.
     pub(super) fn validate(&self) -> Result<(), RangeError> {
-        check(self.spawns <= PER_TICK_MAX, "spawns")?;
-        check(self.removes <= PER_TICK_MAX, "removes")?;
-        check(self.links <= PER_TICK_MAX, "links")?;
-        check(self.impulses <= PER_TICK_MAX, "impulses")?;
+        check_in(self.spawns, 0..=PER_TICK_MAX, "spawns")?;
+        check_in(self.removes, 0..=PER_TICK_MAX, "removes")?;
+        check_in(self.links, 0..=PER_TICK_MAX, "links")?;
+        check_in(self.impulses, 0..=PER_TICK_MAX, "impulses")?;
         validate_box(self.min, self.max)?;
         self.mass.validate()?;
-        check(self.speed >= Real::ZERO, "speed")
+        validate_speed(self.speed)
     }
 
     /// What it does in the coming tick.

@@ -17,8 +17,11 @@ use crate::world::{Action, ObjectId, World, WorldConfig};
 
 /// One command of a timeline. Those of one tick are given in the order of the file.
 #[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(rename = "Command", deny_unknown_fields)]
 pub(super) struct Entry {
+    /// Its place in the file, counted from 0.
+    #[serde(skip)]
+    pub(super) index: u32,
     pub(super) tick: u64,
     #[serde(default)]
     pub(super) player: u32,

@@ -6,7 +6,7 @@ use super::{Action, Command, EventKind, ObjectId, Refusal, World, WorldConfig};
 use crate::math::Vec3;
 use crate::math::wide::{add, round_div_wide, to_i32, to_i64};
 use crate::particle::{
-    Pace, Particle, ParticleId, RangeError, WORLD_LIMIT, check, clamp_longest, within,
+    Pace, Particle, ParticleId, RangeError, WORLD_LIMIT, check_within, clamp_longest,
 };
 
 type Done = Result<(), Refusal>;
@@ -62,7 +62,7 @@ impl World {
             Action::MovePin { particle, target } => self.move_pin(*particle, *target)?,
             Action::Teleport { particle, position } => {
                 self.row(*particle)?;
-                check(within(*position, WORLD_LIMIT), "position")?;
+                check_within(*position, WORLD_LIMIT, "position")?;
                 self.state.particles.position[particle.0.slot()] = position.raw();
             }
             Action::SetRestLength { distance, rest_length } => {
@@ -186,7 +186,7 @@ impl World {
         for k in 0..3 {
             let total = i128::from(before[k]) + acceleration[k];
             if total.abs() > limit {
-                return Err(RangeError { field: "force" }.into());
+                return Err(RangeError::new("force").into());
             }
             sum[k] = to_i64(total); // within the limit, below 2^58
         }
@@ -207,7 +207,7 @@ impl World {
         if !(row.pinned && row.enabled) {
             return Err(Refusal::NotPinned);
         }
-        check(within(target, WORLD_LIMIT), "target")?;
+        check_within(target, WORLD_LIMIT, "target")?;
         self.work.pins.insert(id, target.raw());
         Ok(())
     }

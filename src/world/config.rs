@@ -6,7 +6,7 @@ use crate::constraint::{HalfSpace, ITERATIONS_MAX};
 use crate::math::wide::{dot_wide, round_div, round_div_wide, to_i64};
 use crate::math::{Real, Vec3};
 use crate::particle::{
-    DISPLACEMENT_LIMIT, Pace, Particle, RangeError, acceleration, check, within,
+    DISPLACEMENT_LIMIT, Pace, Particle, RangeError, acceleration, check_in, check_within,
 };
 use crate::real;
 
@@ -51,15 +51,14 @@ impl WorldConfig {
     pub fn validate(&self) -> Result<(), RangeError> {
         let Self { tick_rate, substeps, iterations, gravity, damping, .. } = self;
         let Self { displacement_max, wind, .. } = self;
-        check((1..=Self::TICK_RATE_MAX).contains(tick_rate), "tick_rate")?;
-        check((1..=Self::SUBSTEPS_MAX).contains(substeps), "substeps")?;
-        check((1..=ITERATIONS_MAX).contains(iterations), "iterations")?;
-        check(within(*gravity, Self::GRAVITY_MAX.raw()), "gravity")?;
-        let whole = i64::from(*tick_rate) << Real::FRACTION_BITS;
-        check((0..=whole).contains(&damping.raw()), "damping")?;
-        let displacements = Real::ULP..=Self::DISPLACEMENT_MAX;
-        check(displacements.contains(displacement_max), "displacement_max")?;
-        check(within(*wind, Self::WIND_MAX.raw()), "wind")
+        check_in(*tick_rate, 1..=Self::TICK_RATE_MAX, "tick_rate")?;
+        check_in(*substeps, 1..=Self::SUBSTEPS_MAX, "substeps")?;
+        check_in(*iterations, 1..=ITERATIONS_MAX, "iterations")?;
+        check_within(*gravity, Self::GRAVITY_MAX.raw(), "gravity")?;
+        let whole = Real::from_raw(i64::from(*tick_rate) << Real::FRACTION_BITS);
+        check_in(*damping, Real::ZERO..=whole, "damping")?;
+        check_in(*displacement_max, Real::ULP..=Self::DISPLACEMENT_MAX, "displacement_max")?;
+        check_within(*wind, Self::WIND_MAX.raw(), "wind")
     }
 
     /// Substeps per second.

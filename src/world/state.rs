@@ -134,7 +134,7 @@ impl State {
         let limit = self.config.displacement_max.raw();
         let acceleration = self.config.acceleration(particle);
         let start = self.config.pace().start(velocity, acceleration, limit);
-        start.ok_or(RangeError { field: "velocity" })
+        start.ok_or(RangeError::new("velocity"))
     }
 
     /// Checks what the first record of a snapshot holds.

@@ -41,7 +41,9 @@ impl Fixture {
     /// The one of this name.
     pub fn read(name: &str) -> Self {
         let text = fs::read_to_string(path(&format!("scenes/{name}.scene.ron")));
-        let mesh = |file: &str| String::from_utf8(read(&format!("scenes/{file}"))).ok();
+        let mesh = |file: &str| {
+            String::from_utf8(read(&format!("scenes/{file}"))).map_err(|error| error.to_string())
+        };
         let scene = Scene::parse_with(&text.expect("a text"), mesh).expect("a scene");
         Self { name: name.into(), scene }
     }

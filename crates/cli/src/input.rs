@@ -104,7 +104,10 @@ impl Input {
         };
         // Meshes lie beside the scene; those of a scene from stdin where the command runs.
         let folder = Path::new(&self.name).parent().unwrap_or(Path::new(""));
-        let load = |name: &str| read_mesh(&folder.join(name));
+        let load = |name: &str| {
+            let path = folder.join(name);
+            read_mesh(&path).ok_or_else(|| format!("{}: cannot be read", path.display()))
+        };
         Scene::parse_with(text, load).map_err(|error| self.unproven(error))
     }
 
