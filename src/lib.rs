@@ -18,6 +18,43 @@
 //! bits, 24 of them a fraction (60 nm). A tick is a fixed time step; tick `n` is the step from
 //! [`World::tick`](world::World::tick)` == n` to `n + 1`.
 //!
+//! # Rollback
+//!
+//! Keep the state before each of the last ticks; when a command for one of them arrives late, go
+//! back and step again. `clone_from` reuses buffers and shares what did not change.
+//!
+//! ```
+//! use verlock::particle::ParticleSpec;
+//! use verlock::world::Action;
+//! use verlock::{Command, Vec3, World, WorldBuilder, WorldConfig};
+//!
+//! let mut builder = WorldBuilder::new(WorldConfig::default())?;
+//! let ball = builder.particle(&ParticleSpec::default())?;
+//! let mut world = builder.build();
+//!
+//! let mut ring: [World; 8] = core::array::from_fn(|_| world.clone());
+//! let mut commands: Vec<Vec<Command>> = vec![Vec::new(); 20]; // by tick, as far as they are known
+//! for tick in 0..20 {
+//!     ring[tick % 8].clone_from(&world);
+//!     world.step(&commands[tick]);
+//! }
+//!
+//! let action = Action::Impulse { particle: ball, impulse: Vec3::X };
+//! commands[15].push(Command { player: 1, sequence: 0, action }); // late by five ticks
+//! world.clone_from(&ring[15 % 8]);
+//! for tick in 15..20 {
+//!     ring[tick % 8].clone_from(&world);
+//!     world.step(&commands[tick]);
+//! }
+//! assert_eq!(world.tick(), 20);
+//! # Ok::<(), verlock::world::Refusal>(())
+//! ```
+//!
+//! # Features
+//!
+//! - `std` (default): `scene`, and with it RON. Without it the crate is `no_std` with `alloc`.
+//! - `parallel`: threads inside a colour of the relaxation. Changes speed only.
+//!
 //! # Floors
 //!
 //! A module names only its own floor or lower ones: [`math`] and [`store`] (0), [`geometry`] (1),

@@ -2,11 +2,11 @@
 //!
 //! An object lives in a numbered slot. A [`Handle`] names a slot *and* the generation of its
 //! tenant, so that a handle to something removed is recognised instead of reaching its successor.
-//! `Slots` hands the slots out, the lowest free one first: which slot an object gets is a
-//! function of the history alone. A `Column` holds seldom changed records, shared between clones;
-//! a `Table` gives such records handles; a `Memo` keeps a derived value until its source
-//! changes.
+//! The lowest free slot is handed out first: which slot an object gets is a function of the history
+//! alone.
 
+// `Slots` hands the slots out. A `Column` holds seldom changed records, shared between clones; a
+// `Table` gives such records handles; a `Memo` keeps a derived value until its source changes.
 mod column;
 mod handle;
 mod hash;

@@ -387,3 +387,14 @@ fn net_and_projectile_are_what_they_say() {
     assert_eq!([plain.x, plain.y], [heavy.x, heavy.y], "mass makes no difference");
     assert_eq!(last[6], Vec3::from_ints(0, 1, 6), "disabled");
 }
+
+/// The scene of the README plays, and nothing of it is refused.
+#[test]
+fn readme_scene_plays() {
+    let readme = include_str!("../../README.md");
+    let (_, text) = readme.split_once("```ron\n").expect("a scene");
+    let (text, _) = text.split_once("```").expect("its end");
+    let mut refused = Vec::new();
+    run(text, |_, events| refused.extend_from_slice(events));
+    assert_eq!(refused, []);
+}
