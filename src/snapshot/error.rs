@@ -44,7 +44,7 @@ pub enum DecodeReason {
     /// The replay is of another simulation, or of another version of its rules: it proves nothing
     /// about this one.
     Simulation {
-        /// The name of the simulation that made the file.
+        /// The name of the simulation that made the file, filled up with zeros.
         name: [u8; 16],
         /// The version of that simulation's rules.
         version: u32,
@@ -80,7 +80,8 @@ impl fmt::Display for DecodeReason {
             Self::Record => f.write_str("a record holds something that it must not"),
             Self::OutOfRange(error) => error.fmt(f),
             Self::Simulation { name, version } => {
-                let name = name.escape_ascii();
+                let end = name.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
+                let name = name[..end].escape_ascii();
                 write!(f, "recorded by \"{name}\" version {version}: nothing proven")
             }
         }
