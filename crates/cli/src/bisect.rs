@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::input::{Input, Kind};
 use crate::recording::recorded;
 use crate::report::Report;
-use crate::state::{State, recorded_hash};
+use crate::state::{State, recorded_hash, simulation};
 
 /// Find the first tick in which two recordings differ
 ///
@@ -23,6 +23,7 @@ use crate::state::{State, recorded_hash};
 /// two this machine agrees. Hash logs are what `run --hashes` writes: a line for every state, its
 /// tick and its hash. Returns 1 if anything differs.
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = KEYS)]
 pub(crate) struct Bisect {
     /// Replay, hash log or scene
     a: PathBuf,
@@ -34,6 +35,24 @@ pub(crate) struct Bisect {
     #[arg(long)]
     json: bool,
 }
+
+const KEYS: &str = "\
+What is told, as far as it is known:
+  equal                  whether nothing differs
+  compared_states        states whose hash both have
+  different_states       those of them that differ
+  a, b                   the first and the last tick of each
+  simulations            their names and versions, if those differ
+  tick, hashes           the first state that differs
+  last_equal_tick        the last state before it that does not
+  cause, why             start, inputs, step or unknown
+  different_inputs_tick  the first tick that was stepped with different inputs
+  different_stored_tick  the first tick of which both hold a state, with different bytes
+  known_states           whether each file holds or gives the state that differs, not only its hash
+  missing_states         what to do about a state that is not known
+  this_machine           whose hash stepping the last equal state gives here
+  sections               the parts of the state that differ
+  next                   the command that tells more";
 
 /// What a file recorded.
 enum Recording<'a> {
@@ -54,6 +73,9 @@ impl Bisect {
             return Err(files[0].unproven(why));
         }
         let mut report = report(&found);
+        if let (Recording::Replay(a), Recording::Replay(b)) = (&a, &b) {
+            add_simulations(&mut report, [a, b]);
+        }
         if let Some(parting) = &found.state {
             add_states(&mut report, &files, parting);
         }
@@ -102,6 +124,14 @@ fn report(found: &Bisection) -> Report {
     report
 }
 
+/// Adds whose recordings these are, if that differs.
+fn add_simulations(report: &mut Report, replays: [&Replay<'_>; 2]) {
+    let [a, b] = replays.map(|replay| format!("{} {}", simulation(replay), replay.version()));
+    if a != b {
+        report.add("simulations", json!({ "a": a, "b": b }));
+    }
+}
+
 fn tell(cause: Cause) -> (&'static str, &'static str) {
     match cause {
         Cause::Start => ("start", "the first states that both have already differ"),
@@ -126,6 +156,19 @@ fn add_states(report: &mut Report, files: &[Input; 2], parting: &Parting) {
     if parting.cause == Cause::Step {
         let found = files[0].replay().ok().and_then(|replay| step_again(&replay, parting));
         report.add("this_machine", found.map(|found| agreement(found, parting)));
+    }
+    let tick = parting.tick;
+    let missing = files.iter().zip(known).filter(|(_, known)| *known == Some(false));
+    let missing = missing.map(|(file, _)| {
+        let name = file.name();
+        Value::from(format!(
+            "{name} holds no state of tick {tick}: record it again with a keyframe there \
+             (`run --keyframes {tick}`, `Recorder::keyframe`)"
+        ))
+    });
+    let missing: Vec<_> = missing.collect();
+    if !missing.is_empty() {
+        report.add("missing_states", missing);
     }
     let [Some(a), Some(b)] = states else { return };
     let states = [a, b];

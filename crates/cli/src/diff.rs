@@ -205,6 +205,11 @@ fn choose(files: [Input; 2]) -> Result<([Input; 2], Choice), Failure> {
         let choice = Choice { tick: Some(snapshot.tick()), ..Choice::default() };
         return Ok((files, choice));
     }
+    for file in &files {
+        if matches!(file.open()?, Kind::Hashes(_)) {
+            return Err(file.other_kind("a snapshot, a replay or a scene"));
+        }
+    }
     let files = recorded(files)?;
     let [a, b] = &files;
     let choice = Choice::of([a, b], &[a.replay()?, b.replay()?])?;

@@ -25,14 +25,19 @@ impl Failure {
         Self::usage(format!("{name}: {error}"))
     }
 
-    /// A file cannot be used.
+    /// A file cannot be used, of which a proof was wanted.
     pub(crate) fn unproven(name: impl Display, why: impl Display) -> Self {
-        let mut message = format!("{name}: {why}");
+        let mut failure = Self::unusable(name, why);
         // Some reasons say so themselves.
-        if !message.ends_with("nothing proven") {
-            message.push_str(": nothing proven");
+        if !failure.message.ends_with("nothing proven") {
+            failure.message.push_str(": nothing proven");
         }
-        Self { exit: Exit::Unproven, message }
+        failure
+    }
+
+    /// A file cannot be used.
+    pub(crate) fn unusable(name: impl Display, why: impl Display) -> Self {
+        Self { exit: Exit::Unproven, message: format!("{name}: {why}") }
     }
 
     pub(crate) fn exit(&self) -> Exit {

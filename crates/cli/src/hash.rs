@@ -15,7 +15,8 @@ use crate::state::{State, check_tick, recorded_hash, span};
 /// Print the hash of a state
 ///
 /// Of a replay or hash log it is the recorded one, by default the last; with --parts the state is
-/// stepped to, unless it is stored.
+/// stepped to, unless it is stored, and where it has another hash than recorded, that is printed
+/// too and 1 returned.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Hash {
     /// Snapshot, replay, scene or hash log
@@ -38,6 +39,8 @@ pub(crate) struct Hash {
 struct Found {
     tick: u64,
     hash: verlock::Hash,
+    /// The one that the file gives instead.
+    recorded: Option<verlock::Hash>,
     /// The sections' own, if they are wanted.
     parts: Vec<(Section, verlock::Hash)>,
 }
@@ -49,12 +52,15 @@ impl Hash {
         if self.json {
             found.report().print(true, out)?;
         } else if self.parts {
+            if let Some(recorded) = found.recorded {
+                writeln!(out, "{recorded} recorded")?;
+            }
             writeln!(out, "{} state", found.hash)?;
             found.parts.iter().try_for_each(|(part, hash)| writeln!(out, "{hash} {part}"))?;
         } else {
             writeln!(out, "{}", found.hash)?;
         }
-        Ok(Exit::Fine)
+        Ok(if found.recorded.is_some() { Exit::Different } else { Exit::Fine })
     }
 
     /// What the file says, without stepping.
@@ -74,7 +80,7 @@ impl Hash {
             }
             _ => return self.computed(input),
         };
-        Ok(Found { tick, hash, parts: Vec::new() })
+        Ok(Found { tick, hash, recorded: None, parts: Vec::new() })
     }
 
     fn computed(&self, input: &Input) -> Result<Found, Failure> {
@@ -86,7 +92,8 @@ impl Hash {
         }
         let parts = Section::ALL.into_iter().filter(|_| self.parts);
         let parts = parts.map(|part| (part, snapshot.part_hash(part))).collect();
-        Ok(Found { tick, hash: snapshot.hash(), parts })
+        let recorded = (!state.is_as_recorded()).then(|| state.told());
+        Ok(Found { tick, hash: snapshot.hash(), recorded, parts })
     }
 }
 
@@ -95,6 +102,9 @@ impl Found {
         let mut report = Report::default();
         report.add("tick", self.tick);
         report.add("hash", self.hash.to_string());
+        if let Some(recorded) = self.recorded {
+            report.add("recorded_hash", recorded.to_string());
+        }
         if !self.parts.is_empty() {
             let part = |(part, hash): &(Section, verlock::Hash)| {
                 (part.name().to_owned(), Value::String(hash.to_string()))

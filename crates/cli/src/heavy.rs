@@ -1,6 +1,7 @@
 //! `verlock heavy`: every tick in every way there is to come to it.
 
 use std::io::{self, Write};
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
@@ -40,8 +41,8 @@ pub(crate) struct Heavy {
     exact: bool,
 
     /// Number of files to step at once
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    jobs: usize,
+    #[arg(long, value_name = "N", default_value = "1")]
+    jobs: NonZeroUsize,
 
     /// Print JSON
     #[arg(long)]
@@ -81,8 +82,8 @@ impl Heavy {
         let work = |path: &PathBuf| self.step(path, limit);
         // Of many at once, the files are counted instead of their ticks.
         let progress =
-            (self.jobs != 1).then(|| Progress::new("heavy", paths.len() as u64, "files"));
-        in_order(&paths, self.jobs, work, |path, outcome| {
+            (self.jobs.get() != 1).then(|| Progress::new("heavy", paths.len() as u64, "files"));
+        in_order(&paths, self.jobs.get(), work, |path, outcome| {
             progress.iter().for_each(Progress::step);
             match outcome {
                 Ok(outcome) => {
@@ -112,7 +113,7 @@ impl Heavy {
         let input = Input::read(path, limit)?;
         match input.open()? {
             Kind::Scene(scene) => {
-                let world = scene.build().map_err(|error| input.unproven(error))?;
+                let world = input.world(&scene)?;
                 let commands = |world: &World| {
                     (world.tick() < scene.ticks()).then(|| Ok(scene.commands(world)))
                 };
@@ -120,7 +121,7 @@ impl Heavy {
             }
             Kind::Replay(replay) => {
                 let world = seek(&replay, replay.first_tick());
-                let world = world.map_err(|error| input.unproven(error))?;
+                let world = world.map_err(|error| input.undecoded(error))?;
                 let mut inputs = replay.inputs_by_tick::<World>();
                 let recorded = |tick| replay.hash_after(tick);
                 self.go(&input, world, replay.len(), |_| inputs.next(), recorded)
@@ -141,12 +142,12 @@ impl Heavy {
         if ticks == 0 {
             return Err(input.unproven("it has no ticks"));
         }
-        let progress = (self.jobs == 1).then(|| Progress::new(input.name(), ticks, "ticks"));
+        let progress = (self.jobs.get() == 1).then(|| Progress::new(input.name(), ticks, "ticks"));
         let heavy = Stepper::new(world, dirt());
         let mut heavy = if self.exact { heavy.exact() } else { heavy };
         let mut outcome = Outcome { name: input.name().to_owned(), ticks: 0, fault: None };
         while let Some(commands) = commands(heavy.simulation()) {
-            let commands = commands.map_err(|error| input.unproven(error))?;
+            let commands = commands.map_err(|error| input.undecoded(error))?;
             let tick = heavy.simulation().tick();
             outcome.fault = match heavy.step(&commands) {
                 Ok(found) => recorded(tick)

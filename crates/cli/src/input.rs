@@ -5,9 +5,10 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use verlock::replay::{HashLog, Replay};
-use verlock::scene::Scene;
-use verlock::snapshot::Snapshot;
+use verlock::World;
+use verlock::replay::{HashLog, Replay, Simulation as _};
+use verlock::scene::{Scene, SceneError};
+use verlock::snapshot::{DecodeError, DecodeReason, Snapshot};
 
 use crate::failure::Failure;
 
@@ -32,7 +33,11 @@ enum Looks<'a> {
     Snapshot,
     Replay,
     Hashes(&'a str),
-    Text(&'a str),
+    Scene(&'a str),
+    /// A text, but neither of these.
+    Text,
+    /// No text, from this offset on.
+    Bytes(usize),
 }
 
 impl Input {
@@ -60,6 +65,9 @@ impl Input {
         if size.max(bytes.len() as u64) > limit {
             return Err(Failure::unproven(name, format_args!("longer than --limit {limit}")));
         }
+        if bytes.is_empty() {
+            return Err(Failure::unusable(name, "is empty"));
+        }
         Ok(Self::new(name, bytes))
     }
 
@@ -83,40 +91,42 @@ impl Input {
     /// Finds out what the file holds, and checks its layout and hashes.
     pub(crate) fn open(&self) -> Result<Kind<'_>, Failure> {
         match self.look() {
-            Some(Looks::Snapshot) => {
+            Looks::Snapshot => {
                 let snapshot =
-                    Snapshot::parse(&self.bytes).map_err(|error| self.unproven(error))?;
+                    Snapshot::parse(&self.bytes).map_err(|error| self.undecoded(error))?;
                 Ok(Kind::Snapshot(snapshot))
             }
-            Some(Looks::Replay) => self.replay().map(Kind::Replay),
-            Some(Looks::Hashes(text)) => {
+            Looks::Replay => self.replay().map(Kind::Replay),
+            Looks::Hashes(text) => {
                 text.parse().map(Kind::Hashes).map_err(|error| self.unproven(error))
             }
-            Some(Looks::Text(_)) => self.scene().map(|scene| Kind::Scene(Box::new(scene))),
-            None => Err(self.unproven("offset 0: not a snapshot, a replay or a text")),
+            Looks::Scene(_) => self.scene().map(|scene| Kind::Scene(Box::new(scene))),
+            Looks::Text | Looks::Bytes(_) => {
+                Err(self.other_kind("a snapshot, a replay, a scene or a hash log"))
+            }
         }
     }
 
     /// Reads the file as a scene.
     pub(crate) fn scene(&self) -> Result<Scene, Failure> {
-        let Some(Looks::Text(text)) = self.look() else {
+        let Looks::Scene(text) = self.look() else {
             return Err(self.other_kind("a scene"));
         };
         // Meshes lie beside the scene; those of a scene from stdin where the command runs.
         let folder = Path::new(&self.name).parent().unwrap_or(Path::new(""));
-        let load = |name: &str| {
-            let path = folder.join(name);
-            read_mesh(&path).ok_or_else(|| format!("{}: cannot be read", path.display()))
-        };
-        Scene::parse_with(text, load).map_err(|error| self.unproven(error))
+        let load = |name: &str| read_mesh(&folder.join(name));
+        Scene::parse_with(text, load).map_err(|error| self.refused(&error))
+    }
+
+    /// The world that a scene of this file starts with.
+    pub(crate) fn world(&self, scene: &Scene) -> Result<World, Failure> {
+        scene.build().map_err(|error| self.refused(&error))
     }
 
     /// Reads the file as a replay.
     pub(crate) fn replay(&self) -> Result<Replay<'_>, Failure> {
         match self.look() {
-            Some(Looks::Replay) | None => {
-                Replay::parse(&self.bytes).map_err(|error| self.unproven(error))
-            }
+            Looks::Replay => Replay::parse(&self.bytes).map_err(|error| self.undecoded(error)),
             _ => Err(self.other_kind("a replay")),
         }
     }
@@ -124,32 +134,69 @@ impl Input {
     /// This file is of another kind than is wanted.
     pub(crate) fn other_kind(&self, wanted: &str) -> Failure {
         let found = match self.look() {
-            Some(Looks::Snapshot) => "a snapshot",
-            Some(Looks::Replay) => "a replay",
-            Some(Looks::Hashes(_)) => "a hash log",
-            Some(Looks::Text(_)) => "a text, as scenes are",
-            None => "of no known kind",
+            Looks::Snapshot => "a snapshot".into(),
+            Looks::Replay => "a replay".into(),
+            Looks::Hashes(_) => "a hash log".into(),
+            Looks::Scene(_) => "a text, as scenes are".into(),
+            Looks::Text => "a text, but neither a scene nor a hash log".into(),
+            Looks::Bytes(_) if self.is_utf_16() => "UTF-16, and texts are read as UTF-8".into(),
+            Looks::Bytes(offset) => format!("of no known kind, and not UTF-8 at offset {offset}"),
         };
-        self.unproven(format_args!("offset 0: it is {found}, and {wanted} is wanted"))
+        Failure::unusable(&self.name, format_args!("it is {found}, and {wanted} is wanted"))
     }
 
-    /// What its first bytes say that it is; `None` if they say nothing.
-    fn look(&self) -> Option<Looks<'_>> {
+    /// What its first bytes say that it is.
+    fn look(&self) -> Looks<'_> {
         let bytes = &self.bytes;
         if bytes.starts_with(&Snapshot::MAGIC) {
-            return Some(Looks::Snapshot);
+            return Looks::Snapshot;
         }
         if bytes.starts_with(&Replay::MAGIC) {
-            return Some(Looks::Replay);
+            return Looks::Replay;
         }
-        let text = str::from_utf8(bytes).ok().filter(|text| !text.is_empty())?;
-        let line = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#'));
-        // No scene begins with a number, nor with a comment of this kind.
-        let digit = line.is_some_and(|line| line.starts_with(|c: char| c.is_ascii_digit()));
-        Some(if digit { Looks::Hashes(text) } else { Looks::Text(text) })
+        let text = match str::from_utf8(bytes) {
+            Ok(text) => text.strip_prefix('\u{feff}').unwrap_or(text),
+            Err(error) => return Looks::Bytes(error.valid_up_to()),
+        };
+        // Scenes begin neither with a number nor with a comment of this kind, but for RON's own.
+        let filled = || text.lines().map(str::trim).filter(|line| !line.is_empty());
+        let is_hashes = filled()
+            .find(|line| !line.starts_with('#'))
+            .is_none_or(|line| line.starts_with(|c: char| c.is_ascii_digit()));
+        let comment = filled().next().filter(|line| line.starts_with('#'));
+        match comment {
+            Some(line) if line.starts_with("#![") => Looks::Scene(text),
+            _ if is_hashes => Looks::Hashes(text),
+            Some(_) => Looks::Text,
+            None => Looks::Scene(text),
+        }
     }
 
-    /// This file cannot be used.
+    /// Whether it begins with the mark of that encoding.
+    fn is_utf_16(&self) -> bool {
+        self.bytes.starts_with(&[0xff, 0xfe]) || self.bytes.starts_with(&[0xfe, 0xff])
+    }
+
+    /// The scene in this file cannot be had, and says why.
+    fn refused(&self, error: &SceneError) -> Failure {
+        Failure::unusable(&self.name, error)
+    }
+
+    /// The bytes of this file are not what they should be.
+    pub(crate) fn undecoded(&self, error: DecodeError) -> Failure {
+        if let DecodeReason::Simulation { .. } = error.reason {
+            let name = String::from_utf8_lossy(&World::NAME);
+            let name = name.trim_end_matches('\0');
+            let error = error.to_string();
+            let error = error.trim_end_matches(": nothing proven");
+            let hint = "for others call `verlock::replay::verify::<YourGame>`";
+            return self
+                .unproven(format_args!("{error}; this program steps `{name}` only, {hint}"));
+        }
+        self.unproven(error)
+    }
+
+    /// This file cannot be used, of which a proof was wanted.
     pub(crate) fn unproven(&self, why: impl Display) -> Failure {
         Failure::unproven(&self.name, why)
     }
@@ -158,11 +205,17 @@ impl Input {
 /// The longest mesh file that is read, in bytes.
 const MESH_MAX: u64 = 256 << 20;
 
-/// The text of a mesh file; `None` if there is no such file, or it is too long or no text.
-fn read_mesh(path: &Path) -> Option<String> {
+/// The text of a mesh file, or its name and why it cannot be had.
+fn read_mesh(path: &Path) -> Result<String, String> {
     let mut text = String::new();
-    let read = File::open(path).ok()?.take(MESH_MAX + 1).read_to_string(&mut text).ok()?;
-    (read as u64 <= MESH_MAX).then_some(text)
+    let read = File::open(path).and_then(|file| file.take(MESH_MAX + 1).read_to_string(&mut text));
+    match read {
+        Ok(read) if read as u64 > MESH_MAX => {
+            Err(format!("{}: longer than {MESH_MAX} bytes", path.display()))
+        }
+        Ok(_) => Ok(text),
+        Err(error) => Err(format!("{}: {error}", path.display())),
+    }
 }
 
 /// Whether a path stands for stdin or stdout.

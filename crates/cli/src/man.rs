@@ -1,5 +1,6 @@
 //! `verlock man`: manual pages.
 
+use std::fs;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -30,6 +31,7 @@ impl Man {
             out.write_all(&render(command)?)?;
             return Ok(Exit::Fine);
         };
+        fs::create_dir_all(folder).map_err(|error| Failure::io(folder.display(), &error))?;
         command.build();
         let subcommands = command.get_subcommands().filter(|sub| sub.get_name() != "help");
         let names = subcommands.map(|sub| (sub.clone(), format!("verlock-{}", sub.get_name())));

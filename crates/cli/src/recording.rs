@@ -39,7 +39,7 @@ fn record(input: Input, end: Option<u64>) -> Result<Input, Failure> {
 }
 
 fn replay(input: &Input, scene: &Scene, ticks: u64) -> Result<Vec<u8>, Failure> {
-    let world = scene.build().map_err(|error| input.unproven(error))?;
+    let world = input.world(scene)?;
     let mut recorder = Recorder::new(world, 0);
     let progress = Progress::new(input.name(), ticks, "ticks");
     for _ in 0..ticks {

@@ -13,13 +13,14 @@ impl Report {
         self.0.insert(name.into(), value.into());
     }
 
-    /// Adds how many objects of each kind a world has.
-    pub(crate) fn add_counts(&mut self, world: &verlock::World) {
-        self.add("particles", world.particles().len());
-        self.add("distances", world.distances().count());
-        self.add("volumes", world.volumes().count());
-        self.add("faces", world.faces().count());
-        self.add("half_spaces", world.half_spaces().count());
+    /// Adds how many objects of each kind a world has; the names begin with `when`.
+    pub(crate) fn add_counts(&mut self, when: &str, world: &verlock::World) {
+        let mut add = |kind, count: usize| self.add(&format!("{when}{kind}"), count);
+        add("particles", world.particles().len());
+        add("distances", world.distances().count());
+        add("volumes", world.volumes().count());
+        add("faces", world.faces().count());
+        add("half_spaces", world.half_spaces().count());
     }
 
     pub(crate) fn print(self, json: bool, out: &mut dyn Write) -> io::Result<()> {

@@ -11,7 +11,7 @@ use verlock::world::EventKind;
 use verlock::{Event, World};
 
 use crate::exit::Exit;
-use crate::failure::Failure;
+use crate::failure::{Failure, tell};
 use crate::input::Input;
 use crate::progress::Progress;
 use crate::report::Report;
@@ -20,7 +20,7 @@ use crate::target::Target;
 /// Step a scene, and record it
 ///
 /// Prints the tick, the number of objects of each kind, the events by kind, and the hash of the
-/// last state.
+/// last state. Says which commands of the timeline were refused, or not reached.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Run {
     /// Scene to step
@@ -74,14 +74,19 @@ struct Journal {
     events: Vec<Event>,
     /// The hash of every state, if they are wanted.
     hashes: HashLog,
+    /// What became of commands of the timeline that did nothing.
+    idle: Vec<String>,
 }
+
+/// No more idle commands are told of.
+const IDLE_MAX: usize = 20;
 
 impl Run {
     pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
         let targets = self.targets()?;
         let input = Input::read(&self.scene, limit)?;
         let scene = input.scene()?;
-        let world = scene.build().map_err(|error| input.unproven(error))?;
+        let world = input.world(&scene)?;
 
         let interval = if self.record.is_some() { self.keyframes } else { 0 };
         let mut recorder = Recorder::new(world, interval);
@@ -100,6 +105,7 @@ impl Run {
         let mut aside = anstream::stderr();
         let out = if targets.use_stdout() { &mut aside } else { out };
         self.print(recorder.simulation(), &journal, out)?;
+        journal.tell(input.name());
         Ok(Exit::Fine)
     }
 
@@ -112,11 +118,16 @@ impl Run {
         let target = |path: &Option<PathBuf>| {
             path.as_ref().map(|path| Target::new(path.clone(), self.force)).transpose()
         };
-        Ok(Targets {
+        let targets = Targets {
             record: target(&self.record)?,
             save: target(&self.save)?,
             hashes: target(&self.hashes)?,
-        })
+        };
+        if targets.iter().any(|target| target.is(&self.scene)) {
+            let scene = self.scene.display();
+            return Err(Failure::usage(format!("{scene}: the scene itself would be overwritten")));
+        }
+        Ok(targets)
     }
 
     fn step(&self, scene: &Scene, recorder: &mut Recorder<World>, name: &str) -> Journal {
@@ -134,15 +145,17 @@ impl Run {
                 journal.note_hash(world);
             }
             journal.note_events(world.events(), self.events);
+            journal.note_refusals(scene, world);
             progress.step();
         }
+        journal.note_late(scene, recorder.simulation());
         journal
     }
 
     fn print(&self, world: &World, journal: &Journal, out: &mut dyn Write) -> Result<(), Failure> {
         let mut report = Report::default();
         report.add("tick", world.tick());
-        report.add_counts(world);
+        report.add_counts("", world);
         report.add("events", json!(journal.kinds));
         report.add("hash", world.hash().to_string());
         if self.events && self.json {
@@ -156,8 +169,12 @@ impl Run {
 
 impl Targets {
     fn use_stdout(&self) -> bool {
+        self.iter().any(Target::is_stdout)
+    }
+
+    fn iter(&self) -> impl Iterator<Item = &Target> {
         let Self { record, save, hashes } = self;
-        [record, save, hashes].into_iter().flatten().any(Target::is_stdout)
+        [record, save, hashes].into_iter().flatten()
     }
 }
 
@@ -172,6 +189,39 @@ impl Journal {
         }
         if keep {
             self.events.extend_from_slice(events);
+        }
+    }
+
+    /// Notes which commands of the timeline were refused in the last tick.
+    fn note_refusals(&mut self, scene: &Scene, world: &World) {
+        let refused = world.events().iter().filter_map(|event| match event.kind {
+            EventKind::Refused { sequence, why, .. } => Some((event.tick, sequence, why)),
+            _ => None,
+        });
+        let mut refused = refused.peekable();
+        let Some(&(tick, ..)) = refused.peek() else { return };
+        let due: Vec<_> = scene.timeline().filter(|(_, due)| *due == tick).collect();
+        for (_, sequence, why) in refused {
+            // What comes after the timeline's commands is the storm's.
+            if let Some((place, _)) = due.get(sequence as usize) {
+                self.idle.push(format!("{place}: tick {tick}: refused: {why}"));
+            }
+        }
+    }
+
+    /// Notes which commands of the timeline were not reached.
+    fn note_late(&mut self, scene: &Scene, world: &World) {
+        let end = world.tick();
+        let late = scene.timeline().filter(|(_, tick)| *tick >= end);
+        let late = late.map(|(place, tick)| format!("{place}: tick {tick} is not reached"));
+        self.idle.extend(late);
+    }
+
+    /// Tells of commands that did nothing.
+    fn tell(&self, name: &str) {
+        self.idle.iter().take(IDLE_MAX).for_each(|idle| tell(format_args!("{name}: {idle}")));
+        if let Some(more) = self.idle.len().checked_sub(IDLE_MAX).filter(|more| *more > 0) {
+            tell(format_args!("{name}: {more} more commands of the timeline did nothing"));
         }
     }
 }

@@ -27,6 +27,17 @@ pub(crate) enum Origin {
     Stepped,
 }
 
+impl Origin {
+    /// What must be said of a state that was come by like this and is not the recorded one.
+    pub(crate) fn another(self, input: &Input, tick: u64) -> String {
+        let how = match self {
+            Self::Stored => "the stored state is another one than recorded",
+            Self::Stepped => "stepping again gives another state than recorded",
+        };
+        format!("{}: tick {tick}: {how}", input.name())
+    }
+}
+
 impl State {
     /// The state at a tick. Without one: a snapshot's only state, a replay's last, a scene's first.
     ///
@@ -40,7 +51,7 @@ impl State {
             }
             Kind::Replay(replay) => Self::replayed(input, &replay, tick),
             Kind::Scene(scene) => stepped(input, &scene, tick.unwrap_or(0)),
-            Kind::Hashes(_) => Err(input.other_kind("a state, so a snapshot, a replay or a scene")),
+            Kind::Hashes(_) => Err(input.other_kind("a snapshot, a replay or a scene")),
         }
     }
 
@@ -60,7 +71,7 @@ impl State {
             return Ok(Self::stored(bytes, &snapshot, recorded));
         }
         // Tells what is wrong with a stored state too.
-        let world: World = seek(replay, tick).map_err(|error| input.unproven(error))?;
+        let world: World = seek(replay, tick).map_err(|error| input.undecoded(error))?;
         Ok(Self::stepped(&world, recorded))
     }
 
@@ -99,16 +110,17 @@ impl State {
 
     /// What must be said if the file gives another hash.
     pub(crate) fn note(&self, input: &Input, tick: u64) -> Option<String> {
-        let how = match self.origin {
-            Origin::Stored => "the stored state is another one than recorded",
-            Origin::Stepped => "stepping again gives another state than recorded",
-        };
-        (!self.is_as_recorded()).then(|| format!("{}: tick {tick}: {how}", input.name()))
+        (!self.is_as_recorded()).then(|| self.origin.another(input, tick))
     }
 
     pub(crate) fn snapshot(&self, input: &Input) -> Result<Snapshot<'_>, Failure> {
-        Snapshot::parse(&self.bytes).map_err(|error| input.unproven(error))
+        Snapshot::parse(&self.bytes).map_err(|error| input.undecoded(error))
     }
+}
+
+/// The name of the simulation that a replay is of.
+pub(crate) fn simulation(replay: &Replay<'_>) -> String {
+    String::from_utf8_lossy(&replay.name()).trim_end_matches('\0').to_owned()
 }
 
 /// The hash of the state at a tick, as it was recorded.
@@ -141,7 +153,7 @@ pub(crate) fn check_tick(
 }
 
 fn stepped(input: &Input, scene: &Scene, tick: u64) -> Result<State, Failure> {
-    let mut world = scene.build().map_err(|error| input.unproven(error))?;
+    let mut world = input.world(scene)?;
     while world.tick() < tick {
         let commands = scene.commands(&world);
         world.step(&commands);

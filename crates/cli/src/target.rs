@@ -1,8 +1,8 @@
 //! A file that a command writes.
 
-use std::fs::{File, OpenOptions};
+use std::fs::{self, File, OpenOptions};
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::failure::Failure;
 use crate::input::is_dash;
@@ -15,9 +15,15 @@ pub(crate) struct Target {
 }
 
 impl Target {
-    /// Refuses a file that is there, so that nothing is computed in vain.
+    /// Refuses a file that is there, and one in a folder that is not, so that nothing is computed
+    /// in vain.
     pub(crate) fn new(path: PathBuf, force: bool) -> Result<Self, Failure> {
         let target = Self { path, force };
+        let folder = target.path.parent().filter(|folder| !folder.as_os_str().is_empty());
+        if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
+            let path = target.path.display();
+            return Err(Failure::usage(format!("{path}: there is no folder {}", folder.display())));
+        }
         if !force && !target.is_stdout() && target.path.symlink_metadata().is_ok() {
             return Err(target.occupied());
         }
@@ -26,6 +32,12 @@ impl Target {
 
     pub(crate) fn is_stdout(&self) -> bool {
         is_dash(&self.path)
+    }
+
+    /// Whether this is where another path leads too.
+    pub(crate) fn is(&self, path: &Path) -> bool {
+        let [a, b] = [&self.path, path].map(fs::canonicalize);
+        !self.is_stdout() && !is_dash(path) && a.is_ok_and(|a| b.is_ok_and(|b| a == b))
     }
 
     /// Writes the whole file.

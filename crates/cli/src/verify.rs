@@ -103,6 +103,7 @@ fn judge(
             reason: DecodeReason::NotThisKind,
             offset: 0,
         })) => Err(input.other_kind("a replay")),
+        Verdict::Unproven(VerifyError::Decode(error)) => Err(input.undecoded(*error)),
         Verdict::Unproven(error) => Err(input.unproven(error)),
         _ => Ok((input, verdict)),
     }

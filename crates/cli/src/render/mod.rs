@@ -39,7 +39,7 @@ use self::painter::Style;
 use self::reel::Reel;
 use self::view::View;
 use crate::exit::Exit;
-use crate::failure::Failure;
+use crate::failure::{Failure, tell};
 use crate::input::{Input, is_dash};
 use crate::progress::Progress;
 
@@ -48,7 +48,8 @@ use crate::progress::Progress;
 /// A picture of one tick, a contact sheet or a film of several, or a folder with a picture for each
 /// of them. Lines that are stretched by 5 % are red, squeezed ones blue; pinned particles are red.
 /// The same worlds give the same pixels on every machine. Prints the ticks and the hash of the
-/// pixels of every file.
+/// pixels of every file, and says which is the first tick of a replay whose world is not the
+/// recorded one.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Render {
     /// Scene, replay or snapshot
@@ -82,7 +83,7 @@ pub(crate) struct Render {
     #[arg(long, value_name = "WxH", value_parser = view::size, default_value = "640x480")]
     size: [u32; 2],
 
-    /// Whence everything is looked at; the distance fits all that is shown
+    /// From where everything is looked at; the distance fits all that is shown
     #[arg(long, value_enum, default_value_t)]
     view: View,
 
@@ -146,12 +147,14 @@ impl Render {
         let progress = Progress::new(input.name(), 2 * (ticks.to - ticks.from), "ticks");
         let mut bounds = Bounds::default();
         let options = self.options();
+        let mut note = None;
         let last = reel.play(&progress, |world| {
             world.draw(&mut bounds, options);
             bounds.end_frame();
+            note = note.take().or_else(|| reel.note(world));
             Ok(())
         })?;
-        reel.compare(&last);
+        let note = note.or_else(|| reel.note(&last));
         let camera = self.camera(&bounds)?;
         let grid = !self.parts.no_grid;
         let style = Style { camera, size: self.size, options, bounds, grid };
@@ -162,7 +165,8 @@ impl Render {
         // What is said about a picture must not mix with it.
         let mut aside = anstream::stderr();
         let out = if is_dash(&self.output) { &mut aside } else { out };
-        self.print(&written, out)?;
+        note.iter().for_each(tell);
+        self.print(&written, note, out)?;
         Ok(Exit::Fine)
     }
 
@@ -206,10 +210,15 @@ impl Render {
         camera.ok_or_else(|| Failure::usage("the camera stands at what it looks at"))
     }
 
-    fn print(&self, written: &[Written], out: &mut dyn Write) -> Result<(), Failure> {
+    fn print(
+        &self,
+        written: &[Written],
+        note: Option<String>,
+        out: &mut dyn Write,
+    ) -> Result<(), Failure> {
         if self.json {
             let files: Vec<_> = written.iter().map(Written::json).collect();
-            writeln!(out, "{:#}", json!({ "files": files }))?;
+            writeln!(out, "{:#}", json!({ "files": files, "note": note }))?;
         } else {
             written.iter().try_for_each(|file| writeln!(out, "{}", file.line()))?;
         }

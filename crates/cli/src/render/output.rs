@@ -87,10 +87,10 @@ impl Output {
     ) -> Result<Self, Failure> {
         let mut target = None;
         if format == Format::Folder {
+            fs::create_dir_all(path).map_err(|error| Failure::io(path.display(), &error))?;
             for tick in ticks.iter() {
                 Target::new(path.join(frame_name(tick)), force)?;
             }
-            fs::create_dir_all(path).map_err(|error| Failure::io(path.display(), &error))?;
         } else {
             target = Some(Target::new(path.into(), force)?);
         }

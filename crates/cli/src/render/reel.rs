@@ -4,10 +4,10 @@ use verlock::World;
 use verlock::replay::seek;
 use verlock::scene::Scene;
 
-use crate::failure::{Failure, tell};
+use crate::failure::Failure;
 use crate::input::{Input, Kind};
 use crate::progress::Progress;
-use crate::state::{check_tick, recorded_hash, span};
+use crate::state::{Origin, check_tick, recorded_hash, span};
 
 /// Ticks at equal distances.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -113,7 +113,7 @@ impl<'a> Reel<'a> {
             Kind::Scene(scene) => Scene::commands(scene, world),
             Kind::Replay(replay) => {
                 let inputs = replay.inputs_at::<World>(world.tick());
-                inputs.map_err(|error| self.input.unproven(error))?
+                inputs.map_err(|error| self.input.undecoded(error))?
             }
             // A snapshot has one tick only, and hashes make no pictures.
             Kind::Snapshot(_) | Kind::Hashes(_) => Vec::new(),
@@ -122,15 +122,15 @@ impl<'a> Reel<'a> {
         Ok(())
     }
 
-    /// Says so if the world that playing ended with is not the recorded one.
-    pub(super) fn compare(&self, last: &World) {
-        if let Kind::Replay(replay) = &self.kind
-            && last.tick() > self.ticks.from
-            && recorded_hash(replay, last.tick()) != Some(last.hash())
-        {
-            let (name, tick) = (self.input.name(), last.tick());
-            tell(format_args!("{name}: tick {tick}: stepping gives another state than recorded"));
-        }
+    /// What must be said of a world that is not the recorded one.
+    pub(super) fn note(&self, world: &World) -> Option<String> {
+        let Kind::Replay(replay) = &self.kind else { return None };
+        let tick = world.tick();
+        let other = recorded_hash(replay, tick) != Some(world.hash());
+        // Playing goes on from the first world; that one may be in the file.
+        let stored = tick == self.ticks.from && replay.stored_ticks().any(|stored| stored == tick);
+        let origin = if stored { Origin::Stored } else { Origin::Stepped };
+        other.then(|| origin.another(self.input, tick))
     }
 }
 
@@ -141,7 +141,7 @@ const PICTURED: &str = "a scene, a replay or a snapshot";
 fn world_at(input: &Input, kind: &Kind<'_>, tick: Option<u64>) -> Result<World, Failure> {
     match kind {
         Kind::Scene(scene) => {
-            let mut world = scene.build().map_err(|error| input.unproven(error))?;
+            let mut world = input.world(scene)?;
             while world.tick() < tick.unwrap_or(0) {
                 let commands = scene.commands(&world);
                 world.step(&commands);
@@ -150,11 +150,11 @@ fn world_at(input: &Input, kind: &Kind<'_>, tick: Option<u64>) -> Result<World, 
         }
         Kind::Snapshot(snapshot) => {
             check_tick(input, tick, [snapshot.tick(); 2])?;
-            snapshot.load().map_err(|error| input.unproven(error))
+            snapshot.load().map_err(|error| input.undecoded(error))
         }
         Kind::Replay(replay) => {
             let tick = check_tick(input, tick, span(replay))?;
-            seek(replay, tick).map_err(|error| input.unproven(error))
+            seek(replay, tick).map_err(|error| input.undecoded(error))
         }
         Kind::Hashes(_) => Err(input.other_kind(PICTURED)),
     }

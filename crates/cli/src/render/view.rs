@@ -4,7 +4,7 @@ use clap::ValueEnum;
 use verlock::math::UnitVec3;
 use verlock::{Real, Vec3};
 
-/// Whence everything shown is looked at.
+/// From where everything shown is looked at.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
 pub(super) enum View {
     /// Against z; x to the right, y up

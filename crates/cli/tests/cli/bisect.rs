@@ -76,6 +76,19 @@ fn unknown_states_are_told() {
     assert_eq!(json["known_states"], serde_json::json!({ "a": true, "b": false }));
     assert_eq!((&json["tick"], json.get("sections")), (&4.into(), None));
     assert_eq!(json["next"], "verlock diff a.replay b.replay");
+    let missing = json["missing_states"][0].as_str().expect("a text");
+    assert!(missing.starts_with("b.replay holds no state of tick 4: record it again"), "{missing}");
+    assert!(missing.contains("`run --keyframes 4`"), "{missing}");
+
+    // Whatever is told is explained.
+    let help = sandbox.run(&["bisect", "--help"]).expect(0);
+    for key in json.as_object().expect("an object").keys() {
+        let explained = help.text().lines().any(|line| {
+            let (names, _) = line.trim().split_once("  ").unwrap_or_default();
+            names.split(", ").any(|name| name == key)
+        });
+        assert!(explained, "{key} in {}", help.text());
+    }
 }
 
 /// Other inputs are to blame for another state.

@@ -199,7 +199,9 @@ fn impossible_comparisons() {
     sandbox.run(&["diff", "a.snap", "a.ron", "--tick", "2"]).expect(2).says("tick 2 is not in it");
     sandbox.run(&["run", "a.ron", "--hashes", "a.hashes"]).expect(0);
     let report = sandbox.run(&["diff", "a.snap", "a.hashes"]).expect(3);
-    report.says("a.hashes: offset 0: it is a hash log, and a state");
+    report.says("a.hashes: it is a hash log, and a snapshot, a replay or a scene is wanted");
+    let report = sandbox.run(&["diff", "a.hashes", "a.replay"]).expect(3);
+    report.says("a.hashes: it is a hash log, and a snapshot, a replay or a scene is wanted");
     sandbox.run(&["diff", "-", "-"]).expect(2).says("stdin");
     sandbox.write("cut.snap", &sandbox.read("a.snap")[..50]);
     sandbox.run(&["diff", "a.snap", "cut.snap"]).expect(3).says("cut.snap: offset 50");

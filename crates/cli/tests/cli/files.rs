@@ -18,7 +18,15 @@ fn nothing_is_overwritten() {
     sandbox.run(&["verify", "kept"]).expect(0);
     let twice = ["run", "a.ron", "--record", "one", "--save", "one", "--force"];
     sandbox.run(&twice).expect(2).says("the same file");
-    sandbox.run(&["run", "a.ron", "--record", "no/where"]).expect(2).says("no/where: ");
+    let nowhere = ["run", "a.ron", "--record", "new", "--save", "no/where"];
+    sandbox.run(&nowhere).expect(2).says("no/where: there is no folder no");
+    assert!(!sandbox.path("new").exists());
+    let scene = sandbox.read("a.ron");
+    for record in ["a.ron", "./a.ron"] {
+        let same = ["run", "a.ron", "--record", record, "--force"];
+        sandbox.run(&same).expect(2).says("a.ron: the scene itself would be overwritten");
+    }
+    assert_eq!(sandbox.read("a.ron"), scene);
 }
 
 /// `-` is stdin and stdout; a file on stdout is not mixed with the report.

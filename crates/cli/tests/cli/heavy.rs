@@ -59,6 +59,7 @@ fn impossible_files() {
     sandbox.write("bad.replay", &bytes);
     sandbox.run(&["heavy", "bad.replay"]).expect(3).says("bad.replay: offset ");
     sandbox.run(&["run", "a.ron", "--ticks", "0", "--record", "empty.replay"]).expect(0);
+    sandbox.run(&["heavy", "a.replay", "--jobs", "0"]).expect(2);
     sandbox.run(&["heavy", "empty.replay"]).expect(3).says("no ticks: nothing proven");
     let report = sandbox.run(&["heavy", "a.snap", "none", "a.replay"]).expect(3);
     assert!(report.text().contains("1 file sound, 1 unproven, 1 unread: 6 ticks"));

@@ -1,5 +1,6 @@
 use std::path::{Path, PathBuf};
 
+use crate::bisect::faulty;
 use crate::sandbox::Sandbox;
 
 /// A picture, decoded: its sides and three bytes a pixel.
@@ -237,6 +238,21 @@ fn nothing_is_painted_over() {
         render(&sandbox, &[&args[..], &["--force"]].concat()).expect(0);
         assert_ne!(sandbox.read(file), b"precious");
     }
+}
+
+/// A world that is not the recorded one is painted, but not in silence.
+#[test]
+fn other_worlds_are_told() {
+    let sandbox = faulty("render-other", "0");
+    let note = "b.replay: tick 4: stepping again gives another state than recorded";
+    let small = ["--size", "16x16", "--force", "-o", "b.png"];
+    let paint = |args: &[&str]| render(&sandbox, &[&["b.replay"], args, &small].concat()).expect(0);
+    paint(&["--tick", "4"]).says(note);
+    paint(&["--sheet", "9"]).says(note);
+    assert_eq!(paint(&["--tick", "4", "--json"]).json()["note"], note);
+    assert_eq!(paint(&["--tick", "3", "--json"]).json()["note"], serde_json::Value::Null);
+    assert_eq!(paint(&["--tick", "3"]).stderr, "");
+    assert_eq!(paint(&["--sheet", "4", "--to", "3"]).stderr, "");
 }
 
 /// What makes no sense is 2, and what proves nothing is 3.

@@ -36,6 +36,21 @@ fn length_and_events() {
     assert!(report.text().starts_with("tick 4: command 0 of player 0 refused: "), "{report:?}");
 }
 
+/// Commands of the timeline that do nothing are told on stderr, by their places in the file.
+#[test]
+fn idle_commands_are_told() {
+    let sandbox = Sandbox::new("run-idle");
+    let report = sandbox.run(&["run", "a.ron"]).expect(0);
+    let refused = "verlock: a.ron: timeline[1]: tick 4: refused: particle names nothing alive\n";
+    assert_eq!(report.stderr, refused);
+    let report = sandbox.run(&["run", "a.ron", "--ticks", "4"]).expect(0);
+    assert_eq!(report.stderr, "verlock: a.ron: timeline[1]: tick 4 is not reached\n");
+    let late = SCENE.replacen("tick: 3", "tick: 5", 1);
+    sandbox.write("late.ron", late.as_bytes());
+    let report = sandbox.run(&["run", "late.ron", "--ticks", "5"]).expect(0);
+    report.says("timeline[1]: tick 4: refused").says("timeline[0]: tick 5 is not reached");
+}
+
 /// Objects and events of every kind have a name of their own.
 #[test]
 fn kinds_are_named() {
@@ -94,5 +109,12 @@ fn bad_scenes_are_refused() {
     sandbox.write("bad.ron", b"(version: 1,\n colour: 3)");
     sandbox.run(&["run", "bad.ron"]).expect(3).says("bad.ron: line 2, column ");
     sandbox.run(&["run", "a.replay"]).expect(3).says("it is a replay, and a scene is wanted");
+    sandbox.write("far/b.ron", b"(version: 1, cloths: [(mesh: File(\"none.obj\"))])");
+    let report = sandbox.run(&["run", "far/b.ron"]).expect(3).says("cloths[0].mesh: ");
+    let path = std::path::Path::new("far").join("none.obj").display().to_string();
+    let report = report.says(&format!("{path}: No such file"));
+    assert!(!report.stderr.contains("nothing proven"), "{}", report.stderr);
+    sandbox.write("far/none.obj", &[b'v', 0xff]);
+    sandbox.run(&["run", "far/b.ron"]).expect(3).says(&path).says("UTF-8");
     sandbox.run(&["run", "none.ron"]).expect(2).says("none.ron: ");
 }

@@ -21,6 +21,8 @@ fn manual_pages() {
     sandbox.run(&["man", "pages"]).expect(2).says("verlock-run.1: exists");
     assert!(!sandbox.path("pages/verlock.1").exists());
     sandbox.run(&["man", "pages", "--force"]).expect(0);
+    sandbox.run(&["man", "new/pages"]).expect(0);
+    assert_eq!(sandbox.read("new/pages/verlock.1"), sandbox.read("pages/verlock.1"));
     for name in ["verlock", "verlock-run", "verlock-verify", "verlock-diff", "verlock-man"] {
         let page = String::from_utf8(sandbox.read(&format!("pages/{name}.1"))).expect("UTF-8");
         assert!(page.contains(&format!(".TH {name} 1")), "{page}");

@@ -135,6 +135,31 @@ fn other_rules_prove_nothing() {
     assert!(!report.text().contains("diverged"));
 }
 
+/// Nor does one of a game, whose rules are not in this program.
+#[test]
+fn games_are_not_stepped() {
+    let sandbox = Sandbox::recorded("verify-game");
+    let mut bytes = sandbox.read("a.replay");
+    let start = sections(&bytes)[0].start;
+    let name = b"verlock.world";
+    let at = bytes[start..].windows(name.len()).position(|part| part == name).expect("a name");
+    bytes[start + at..][..name.len()].copy_from_slice(b"my.game\0\0\0\0\0\0");
+    repair(&mut bytes);
+    sandbox.write("game.replay", &bytes);
+    let line = "recorded by \"my.game\" version 0; this program steps `verlock.world` only";
+    for args in
+        [&["verify", "game.replay"][..], &["heavy", "game.replay"], &["render", "game.replay"]]
+    {
+        let report = sandbox.run(args).expect(3).says(line);
+        report.says("call `verlock::replay::verify::<YourGame>`: nothing proven");
+    }
+    let json = sandbox.run(&["bisect", "a.replay", "game.replay", "--json"]).expect(1).json();
+    let simulations = serde_json::json!({ "a": "verlock.world 0", "b": "my.game 0" });
+    assert_eq!(json["simulations"], simulations);
+    let json = sandbox.run(&["bisect", "a.replay", "a.replay", "--json"]).expect(0).json();
+    assert_eq!(json["simulations"], serde_json::Value::Null);
+}
+
 /// Neither does a damaged or cut one, nor what is no replay at all.
 #[test]
 fn damage_proves_nothing() {
@@ -143,8 +168,9 @@ fn damage_proves_nothing() {
     for offset in (0..replay.len()).step_by(97) {
         let mut bytes = replay.clone();
         bytes[offset] ^= 0x10;
-        sandbox.run_with(&["verify", "-"], &bytes).expect(3).says("stdin: offset ");
-        let cut = sandbox.run_with(&["verify", "-"], &replay[..offset]).expect(3);
+        let why = if offset < 8 { "stdin: it is of no known kind" } else { "stdin: offset " };
+        sandbox.run_with(&["verify", "-"], &bytes).expect(3).says(why);
+        let cut = sandbox.run_with(&["verify", "-"], &replay[..offset.max(1)]).expect(3);
         cut.says("stdin: offset ").says("nothing proven");
     }
     sandbox.run(&["verify", "a.snap"]).expect(3).says("it is a snapshot, and a replay is wanted");
