@@ -166,7 +166,7 @@ impl Render {
         let mut aside = anstream::stderr();
         let out = if is_dash(&self.output) { &mut aside } else { out };
         note.iter().for_each(tell);
-        self.print(&written, note, out)?;
+        self.print(&written, note.as_deref(), out)?;
         Ok(Exit::Fine)
     }
 
@@ -213,7 +213,7 @@ impl Render {
     fn print(
         &self,
         written: &[Written],
-        note: Option<String>,
+        note: Option<&str>,
         out: &mut dyn Write,
     ) -> Result<(), Failure> {
         if self.json {
