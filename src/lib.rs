@@ -58,8 +58,8 @@
 //! # Floors
 //!
 //! A module names only its own floor or lower ones: [`math`] and [`store`] (0), [`geometry`] (1),
-//! [`particle`] (3), [`constraint`] (4), [`world`] (7), [`snapshot`] (8), `scene` (9), [`replay`]
-//! (10).
+//! [`partition`] (2), [`particle`] (3), [`constraint`] (4), [`world`] (7), [`snapshot`] (8),
+//! `scene` (9), [`replay`] (10).
 #![cfg_attr(not(feature = "std"), no_std)]
 
 extern crate alloc;
@@ -73,6 +73,7 @@ pub mod constraint;
 pub mod geometry;
 pub mod math;
 pub mod particle;
+pub mod partition;
 pub mod replay;
 #[cfg(feature = "std")]
 pub mod scene;

@@ -34,6 +34,8 @@ mod math;
 mod mesh;
 /// Free motion against the textbook, and the limits of a world.
 mod motion;
+/// Candidate pairs: every partition against every pair.
+mod partition;
 /// Constraints and contacts against the textbook and a naive twin.
 mod relaxation;
 /// Recordings that prove themselves, and those that do not.

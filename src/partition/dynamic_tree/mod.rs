@@ -1,0 +1,269 @@
+//! A tree of boxes that objects may leave a little before it changes.
+
+mod build;
+mod coarse;
+mod meet;
+mod tree;
+
+use alloc::vec::Vec;
+
+use super::roster::Roster;
+use super::{Object, Pair, Partition, PartitionError};
+use crate::geometry::Aabb;
+use crate::math::Vec3;
+
+use build::Leaf;
+use coarse::Coarse;
+use meet::Stacks;
+use tree::{Place, Tree};
+
+/// A fat box reaches as far ahead as the object moves in so many ticks. More of them make the tree
+/// change less often, and more candidates that do not touch.
+const HORIZON: i64 = 8;
+
+/// A fat box is larger by this part of the object's longest edge on every side, for what turns or
+/// trembles.
+const MARGIN_PART: i64 = 16;
+
+/// The default: a tree of boxes, and a list of *candidates* that outlives the tick.
+///
+/// A leaf is a *fat* box, which reaches ahead of the object's motion. While objects stay in their
+/// fat boxes, the tree stays as it is, and so do the candidates, all pairs of objects whose fat
+/// boxes touch: their tight boxes are compared in one go, in order, so that nothing needs sorting.
+/// An object that left its fat box gets another one and its leaf another place; when that happened
+/// to many, the tree is built afresh. None of this reaches a result.
+///
+/// With n objects, c candidates and k objects that left their fat boxes,
+/// [`update`](Partition::update) takes O(1), [`pairs`](Partition::pairs) O(c + k log n), or
+/// O((n + c) log n) when k is a good part of n. A [`query`](Partition::query) takes O(log n) and
+/// something for each box that it touches.
+#[derive(Clone, Debug, Default)]
+pub struct DynamicTree {
+    roster: Roster,
+    /// By id. Of what is not stale: the box of its leaf, which contains the tight box.
+    fat: Vec<Aabb>,
+    /// By id: the way between the last two positions.
+    motions: Vec<Vec3>,
+    tree: Tree,
+    /// What coarse boxes are seen from.
+    origin: Vec3,
+    /// All pairs of leaves whose coarse boxes touch, sorted. Some may be gone from the tree.
+    candidates: Vec<Pair>,
+    /// Room for as many pairs as there are candidates.
+    pairs: Vec<Pair>,
+    /// Leaves that were hung up one by one since the tree was built.
+    hung: u32,
+    work: Work,
+}
+
+/// Kept for its room.
+#[derive(Clone, Debug, Default)]
+struct Work {
+    leaves: Vec<Leaf>,
+    stacks: Stacks,
+    new: Vec<Pair>,
+}
+
+impl DynamicTree {
+    /// Without objects.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Catches up with all changes.
+    fn settle(&mut self) {
+        let [changed, all] = [self.roster.stale().len(), self.roster.len() as usize];
+        if changed == 0 {
+            return;
+        }
+        if changed * 8 >= all || self.hung as usize + changed > all {
+            self.rebuild();
+        } else {
+            self.rehang();
+        }
+        self.roster.settle();
+    }
+
+    /// Gives every object a new fat box, and builds the tree and the candidates from them.
+    fn rebuild(&mut self) {
+        let Self { roster, fat, motions, tree, candidates, work, .. } = self;
+        self.origin = middle_of(roster);
+        self.hung = 0;
+        work.leaves.clear();
+        for id in roster.ids() {
+            let bounds = fatten(roster.bounds(id), motions[id as usize]);
+            fat[id as usize] = bounds;
+            work.leaves.push(Leaf { bounds: Coarse::new(&bounds, self.origin), id });
+        }
+        tree.build(roster.slots(), &mut work.leaves);
+        candidates.clear();
+        tree.meet(&mut work.stacks, |a, b| candidates.push([a.min(b), a.max(b)]));
+        candidates.sort_unstable();
+    }
+
+    /// Hangs up the stale objects anew, and finds their candidates anew.
+    fn rehang(&mut self) {
+        let Self { roster, fat, motions, tree, candidates, work, .. } = self;
+        tree.places.resize(roster.slots(), Place::NOWHERE);
+        for &id in roster.stale() {
+            tree.remove(id);
+            if roster.contains(id) {
+                let bounds = fatten(roster.bounds(id), motions[id as usize]);
+                fat[id as usize] = bounds;
+                tree.insert(id, &Coarse::new(&bounds, self.origin));
+                self.hung += 1;
+            }
+        }
+        candidates.retain(|&[a, b]| !roster.is_stale(a) && !roster.is_stale(b));
+        work.new.clear();
+        for &a in roster.stale().iter().filter(|&&id| roster.contains(id)) {
+            let region = Coarse::new(&fat[a as usize], self.origin);
+            tree.query(&region, &mut work.stacks.single, |b| {
+                // Of two stale ones the higher finds the lower.
+                if a > b || (a < b && !roster.is_stale(b)) {
+                    work.new.push([a.min(b), a.max(b)]);
+                }
+            });
+        }
+        work.new.sort_unstable();
+        merge(candidates, &work.new);
+    }
+}
+
+/// Puts one sorted list into another, from behind.
+fn merge(into: &mut Vec<Pair>, new: &[Pair]) {
+    let mut old = into.len();
+    into.extend_from_slice(new);
+    let mut end = into.len();
+    for &pair in new.iter().rev() {
+        while old > 0 && into[old - 1] > pair {
+            (old, end) = (old - 1, end - 1);
+            into[end] = into[old];
+        }
+        end -= 1;
+        into[end] = pair;
+    }
+}
+
+/// The box that an object is not expected to leave soon. Coordinates are within
+/// 2^60 + 2^61 + 2^57, below 2^62.
+fn fatten(tight: &Aabb, motion: Vec3) -> Aabb {
+    let [low, high, motion] = [tight.min(), tight.max(), motion].map(Vec3::raw);
+    let edges = [0, 1, 2].map(|k| high[k] - low[k]); // at most 2^61
+    let longest = edges[0].max(edges[1]).max(edges[2]);
+    // What moves by half its size would have left by the time after next.
+    if motion.into_iter().any(|way| way.abs() > longest / 2) {
+        return *tight;
+    }
+    let margin = longest / MARGIN_PART;
+    let reach = motion.map(|way| way.clamp(-longest / HORIZON, longest / HORIZON) * HORIZON);
+    let ahead = |k: usize| [low[k] - margin + reach[k].min(0), high[k] + margin + reach[k].max(0)];
+    let ahead = [ahead(0), ahead(1), ahead(2)];
+    Aabb::new(
+        Vec3::from_raw(ahead.map(|[low, _]| low)),
+        Vec3::from_raw(ahead.map(|[_, high]| high)),
+    )
+}
+
+/// The median of a few centres, along each axis: what lies far out does not move it.
+fn middle_of(roster: &Roster) -> Vec3 {
+    const SAMPLE: usize = 64;
+    let stride = (roster.len() as usize / SAMPLE).max(1);
+    let sample: Vec<_> = roster.ids().step_by(stride).collect();
+    if sample.is_empty() {
+        return Vec3::ZERO;
+    }
+    Vec3::from_raw([0, 1, 2].map(|k| {
+        let mut along: Vec<_> = sample.iter().map(|&id| roster.centre(id).raw()[k]).collect();
+        let half = along.len() / 2;
+        *along.select_nth_unstable(half).1
+    }))
+}
+
+impl Partition for DynamicTree {
+    fn insert(&mut self, id: u32, object: Object) -> Result<(), PartitionError> {
+        self.roster.insert(id, object)?;
+        self.fat.resize(self.roster.slots(), object.bounds);
+        self.motions.resize(self.roster.slots(), Vec3::ZERO);
+        self.motions[id as usize] = Vec3::ZERO;
+        Ok(())
+    }
+
+    #[inline]
+    fn update(&mut self, id: u32, object: Object) -> Result<(), PartitionError> {
+        let before = self.roster.update(id, object)?;
+        let [from, to] = [&before, &object.bounds];
+        self.motions[id as usize] = to.min() - from.min();
+        if !self.fat[id as usize].contains(to) {
+            self.roster.mark(id);
+        }
+        Ok(())
+    }
+
+    fn remove(&mut self, id: u32) -> Result<(), PartitionError> {
+        self.roster.remove(id)
+    }
+
+    fn object(&self, id: u32) -> Option<Object> {
+        self.roster.object(id)
+    }
+
+    fn len(&self) -> u32 {
+        self.roster.len()
+    }
+
+    fn pairs(&mut self) -> &[Pair] {
+        self.settle();
+        let Self { roster, candidates, pairs, .. } = self;
+        pairs.resize(pairs.len().max(candidates.len()), [0; 2]);
+        let mut found = 0;
+        for &pair in &*candidates {
+            pairs[found] = pair;
+            found += usize::from(roster.touch(pair));
+        }
+        &pairs[..found]
+    }
+
+    fn query(&self, region: &Aabb, ids: &mut Vec<u32>) {
+        ids.clear();
+        let coarse = Coarse::new(region, self.origin);
+        self.tree.query(&coarse, &mut Vec::new(), |id| {
+            if !self.roster.is_stale(id) && self.roster.bounds(id).overlaps(region) {
+                ids.push(id);
+            }
+        });
+        self.roster.complete(region, ids);
+    }
+
+    fn validate(&self) -> Result<(), &'static str> {
+        self.roster.validate()?;
+        let settled = |id: &u32| !self.roster.is_stale(*id);
+        let mut ids = self.roster.ids().filter(settled);
+        if !ids.all(|id| self.fat[id as usize].contains(self.roster.bounds(id))) {
+            return Err("dynamic tree: a tight box that left its fat one");
+        }
+        let coarse = |id: u32| Coarse::new(&self.fat[id as usize], self.origin);
+        self.tree.validate(coarse)?;
+        let hung = |id: u32| self.tree.places[id as usize] != Place::NOWHERE;
+        if !self.roster.ids().filter(settled).all(hung) {
+            return Err("dynamic tree: an object without a leaf");
+        }
+        if !self.candidates.is_sorted_by(|a, b| a < b) {
+            return Err("dynamic tree: candidates out of order");
+        }
+        let mut wanted = Vec::new();
+        for a in self.roster.ids().filter(settled) {
+            self.tree.query(&coarse(a), &mut Vec::new(), |b| {
+                if a < b && !self.roster.is_stale(b) {
+                    wanted.push([a, b]);
+                }
+            });
+        }
+        if wanted.iter().all(|pair| self.candidates.binary_search(pair).is_ok()) {
+            Ok(())
+        } else {
+            Err("dynamic tree: leaves that touch and are no candidates")
+        }
+    }
+}
