@@ -92,3 +92,8 @@ fn commands_keep_their_laws() {
 fn pairs_of_triangles_keep_their_laws() {
     keeps("triangle_triangle", laws::triangle_triangle, [20, 10]);
 }
+
+#[test]
+fn broad_phases_keep_their_laws() {
+    keeps("broad_phase", laws::broad_phase, [15, 10]);
+}

@@ -72,7 +72,7 @@ impl<'a> Draw<'a> {
         Real::from_raw(self.raw(usual))
     }
 
-    fn vector(&mut self, usual: i64) -> Vec3 {
+    pub(super) fn vector(&mut self, usual: i64) -> Vec3 {
         Vec3::from_raw([self.raw(usual), self.raw(usual), self.raw(usual)])
     }
 

@@ -3,6 +3,7 @@
 //! A law panics when it is broken. It returns whether the input was accepted, so that the test that
 //! replays the corpus can tell when the corpus no longer gets past the decoder.
 
+mod broad_phase;
 mod commands;
 pub mod container;
 mod draw;
@@ -15,6 +16,7 @@ mod snapshot;
 mod triangle_triangle;
 mod world;
 
+pub use broad_phase::broad_phase;
 pub use commands::commands;
 pub use obj::obj;
 pub use relax::relax;
