@@ -3,13 +3,15 @@
 //! `cargo run --release [NAME...]` here; without names, everything. The machine's speed cancels
 //! out; take the smallest of several runs.
 
+mod boxes;
 mod clock;
 mod cloth;
 mod guigue;
 mod triangles;
 
 /// What is measured, by name.
-const ALL: [(&str, fn()); 2] = [("cloth", cloth::run), ("triangles", triangles::run)];
+const ALL: [(&str, fn()); 3] =
+    [("boxes", boxes::run), ("cloth", cloth::run), ("triangles", triangles::run)];
 
 fn main() {
     let names: Vec<_> = std::env::args().skip(1).filter(|name| !name.starts_with('-')).collect();
