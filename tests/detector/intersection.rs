@@ -1,12 +1,12 @@
 //! Where triangles meet, against one that is clipped by the other in rational numbers.
 
 use num_bigint::BigInt;
+use verlock::Vec3;
 use verlock::geometry::{
     Feature, Intersection, IntersectionPoint, Triangle, TriangleError,
     intersection_triangle_triangle, overlap_triangle_triangle,
 };
 use verlock::math::Pcg;
-use verlock::{Hash, Vec3};
 
 use super::overlap::CLASSES;
 use super::{Corners, ORDERS, below, triangle};
@@ -287,31 +287,6 @@ fn what_is_common_moves_along() {
             assert_eq!(names(here.as_ref(), way), names(there.as_ref(), Vec3::ZERO), "{pair:?}");
         }
     }
-}
-
-/// The same bytes on every machine.
-#[test]
-fn what_is_common_is_as_accepted() {
-    let mut bytes = Vec::new();
-    for (index, class) in (0..).zip(CLASSES) {
-        let mut rng = Pcg::new(index, 103);
-        for _ in 0..500 {
-            let [a, b] = class.pair(&mut rng).map(triangle);
-            let found = intersection_triangle_triangle(&a, &b);
-            let points = found.as_ref().map_or(&[][..], Intersection::points);
-            bytes.push(u8::try_from(points.len()).expect("at most 6"));
-            for point in points {
-                let raw = point.position.raw();
-                raw.iter().for_each(|c| bytes.extend(c.to_le_bytes()));
-                bytes.extend([point.on_a, point.on_b].map(|feature| match feature {
-                    Feature::Vertex(corner) => corner,
-                    Feature::Edge(edge) => 3 + edge,
-                    Feature::Face => 6,
-                }));
-            }
-        }
-    }
-    assert_eq!(Hash::of(&bytes).to_string(), "70a42fff82ba4e9c2a6dabfefe07e579");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! What meets what, against oracles in integers of any size.
 
+mod golden;
 mod intersection;
 mod overlap;
 mod predicates;

@@ -1,6 +1,7 @@
 //! Candidate pairs: every partition against every pair, whatever happens to it.
 
 mod crowd;
+mod golden;
 mod laws;
 mod misuse;
 mod neighbours;
