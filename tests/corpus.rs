@@ -79,6 +79,11 @@ fn meshes_keep_their_laws() {
 }
 
 #[test]
+fn hierarchies_keep_their_laws() {
+    keeps("bvh", laws::bvh, [32, 25]);
+}
+
+#[test]
 fn relaxations_keep_their_laws() {
     keeps("relax", laws::relax, [60, 25]);
 }

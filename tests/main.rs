@@ -14,6 +14,8 @@
 
 mod support;
 
+/// Hierarchies of volumes over meshes.
+mod bvh;
 /// Bodies of meshes: cloth, ropes and plants.
 mod cloth;
 /// What each command does and what it is refused for.

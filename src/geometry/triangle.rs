@@ -51,7 +51,7 @@ impl Triangle {
 
     /// The triangle of corners that are known to be in range.
     #[inline]
-    pub(super) const fn between(corners: [Vec3; 3]) -> Self {
+    pub(crate) const fn between(corners: [Vec3; 3]) -> Self {
         Self { corners }
     }
 

@@ -11,6 +11,8 @@
 //! | [`Bsp`] | planes | rooms with walls |
 //! | [`BruteForce`] | nothing | a dozen objects, and as the oracle of the others |
 //!
+//! Faces of two meshes, which do not come and go, are found by the hierarchies in [`bvh`].
+//!
 //! # Order
 //!
 //! A pair is `[lower id, higher id]`, and pairs are sorted. The list is a function of the ids and
@@ -41,6 +43,7 @@
 
 mod brute_force;
 mod bsp;
+pub mod bvh;
 mod dynamic_tree;
 mod error;
 mod object;

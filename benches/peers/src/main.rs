@@ -7,11 +7,16 @@ mod boxes;
 mod clock;
 mod cloth;
 mod guigue;
+mod meshes;
 mod triangles;
 
 /// What is measured, by name.
-const ALL: [(&str, fn()); 3] =
-    [("boxes", boxes::run), ("cloth", cloth::run), ("triangles", triangles::run)];
+const ALL: [(&str, fn()); 4] = [
+    ("boxes", boxes::run),
+    ("cloth", cloth::run),
+    ("meshes", meshes::run),
+    ("triangles", triangles::run),
+];
 
 fn main() {
     let names: Vec<_> = std::env::args().skip(1).filter(|name| !name.starts_with('-')).collect();

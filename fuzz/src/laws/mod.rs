@@ -4,6 +4,7 @@
 //! replays the corpus can tell when the corpus no longer gets past the decoder.
 
 mod broad_phase;
+mod bvh;
 mod commands;
 pub mod container;
 mod draw;
@@ -17,6 +18,7 @@ mod triangle_triangle;
 mod world;
 
 pub use broad_phase::broad_phase;
+pub use bvh::bvh;
 pub use commands::commands;
 pub use obj::obj;
 pub use relax::relax;

@@ -1,0 +1,9 @@
+//! Two small meshes, any three volumes.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use verlock_fuzz::laws;
+
+fuzz_target!(|data: &[u8]| {
+    laws::bvh(data);
+});
