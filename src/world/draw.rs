@@ -27,6 +27,10 @@ pub enum Shade {
     Face,
     /// The boundary of a half-space.
     HalfSpace,
+    /// A triangle of a shape that others are tested against.
+    Collider,
+    /// Where shapes touch or intersect.
+    Contact,
     /// Anything that takes no part.
     Disabled,
 }

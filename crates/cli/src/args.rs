@@ -17,6 +17,7 @@ use crate::hash::Hash;
 use crate::heavy::Heavy;
 use crate::info::Info;
 use crate::man::Man;
+use crate::overlap::Overlap;
 use crate::render::Render;
 use crate::run::Run;
 use crate::verify::Verify;
@@ -53,6 +54,7 @@ pub(crate) enum Command {
     Diff(Diff),
     Dump(Dump),
     Render(Render),
+    Overlap(Overlap),
     Completions(Completions),
     Man(Man),
 }
@@ -69,6 +71,7 @@ impl Command {
             Self::Diff(diff) => diff.execute(limit, out),
             Self::Dump(dump) => dump.execute(limit, out),
             Self::Render(render) => render.execute(limit, out),
+            Self::Overlap(overlap) => overlap.execute(limit, out),
             Self::Completions(completions) => completions.execute(out),
             Self::Man(man) => man.execute(out),
         }

@@ -6,8 +6,9 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use verlock::World;
+use verlock::geometry::TriangleMesh;
 use verlock::replay::{HashLog, Replay, Simulation as _};
-use verlock::scene::{Scene, SceneError};
+use verlock::scene::{Obj, Scene, SceneError};
 use verlock::snapshot::{DecodeError, DecodeReason, Snapshot};
 
 use crate::failure::Failure;
@@ -129,6 +130,14 @@ impl Input {
             Looks::Replay => Replay::parse(&self.bytes).map_err(|error| self.undecoded(error)),
             _ => Err(self.other_kind("a replay")),
         }
+    }
+
+    /// Reads the file as an OBJ mesh.
+    pub(crate) fn mesh(&self) -> Result<TriangleMesh, Failure> {
+        let text = str::from_utf8(&self.bytes).map_err(|error| {
+            self.unproven(format_args!("offset {}: not UTF-8", error.valid_up_to()))
+        })?;
+        Ok(Obj::parse(text).map_err(|error| self.unproven(error))?.into_mesh())
     }
 
     /// This file is of another kind than is wanted.

@@ -18,6 +18,7 @@ mod input;
 mod jobs;
 mod json;
 mod man;
+mod overlap;
 mod pipe;
 mod progress;
 mod recording;

@@ -25,6 +25,8 @@ const STRETCHED: Rgb = Rgb([0xE5, 0x48, 0x1D]);
 const SQUEEZED: Rgb = Rgb([0x17, 0x8F, 0xC9]);
 const FACE_FRONT: Rgb = Rgb([0xE0, 0x7B, 0x55]);
 const FACE_BACK: Rgb = Rgb([0x4C, 0x8F, 0x9E]);
+const COLLIDER: Rgb = Rgb([0x8F, 0xA8, 0xC8]);
+const CONTACT: Rgb = Rgb([0xB8, 0x00, 0x4F]);
 
 /// The strain, 16 fractional bits, at which a line has the colour of the stretched: 5 %.
 const STRAIN_SHOWN: i32 = (1 << 16) / 20;
@@ -65,6 +67,8 @@ pub(super) fn of(shade: Shade) -> Rgb {
         }
         Shade::Face => FACE_FRONT,
         Shade::HalfSpace => GRID,
+        Shade::Collider => COLLIDER,
+        Shade::Contact => CONTACT,
         _ => DISABLED,
     }
 }

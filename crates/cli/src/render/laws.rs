@@ -1,8 +1,8 @@
 //! What must hold of cameras, shapes and palettes.
 
+use verlock::Vec3;
 use verlock::math::Pcg;
-use verlock::world::{Detail, DrawOptions, DrawSink as _, Shade};
-use verlock::{Vec3, WorldBuilder, WorldConfig};
+use verlock::world::{DrawSink as _, Shade};
 
 use super::bounds::Bounds;
 use super::camera::{Camera, Lens};
@@ -201,13 +201,10 @@ fn palettes_stand_for_all_colours() {
 /// A face has a front and a back, is lit from the left and above, and hides what is behind it.
 #[test]
 fn faces_have_two_sides() {
-    let world = WorldBuilder::new(WorldConfig::default()).expect("a configuration").build();
     let camera = Camera::looking(Vec3::from_ints(0, 0, 4), Vec3::ZERO, Lens::new(64, 64, 60));
-    let options = DrawOptions { distances: Detail::All, particles: Detail::All, labels: false };
     let style = Style {
         camera: camera.expect("two points"),
         size: [64, 64],
-        options,
         bounds: Bounds::default(),
         grid: false,
     };
@@ -215,7 +212,7 @@ fn faces_have_two_sides() {
     let front = [(-2, -2, 0), (2, -2, 0), (0, 3, 0)].map(|(x, y, z)| Vec3::from_ints(x, y, z));
     let [a, b, c] = front;
     let seen = |corners: [Vec3; 3], point: Vec3| {
-        let mut painter = Painter::new(&style, &world);
+        let mut painter = Painter::new(&style, &|_| {});
         painter.point(point, Shade::Pinned);
         painter.triangle(corners, Shade::Face);
         pixel(&painter.finish(), 32, 32)

@@ -24,12 +24,12 @@ mod view;
 #[cfg(test)]
 mod laws;
 
-use std::io::{IsTerminal as _, Write, stdout};
+use std::io::{self, IsTerminal as _, Write, stdout};
 use std::path::PathBuf;
 
 use clap::builder::RangedU64ValueParser;
 use serde_json::json;
-use verlock::world::{Detail, DrawOptions};
+use verlock::world::{Detail, DrawOptions, DrawSink};
 use verlock::{Vec3, World};
 
 use self::bounds::Bounds;
@@ -37,7 +37,8 @@ use self::camera::{Camera, Lens};
 use self::output::{Format, Output, Written};
 use self::painter::Style;
 use self::reel::Reel;
-use self::view::View;
+pub(crate) use self::view::{View, size};
+
 use crate::exit::Exit;
 use crate::failure::{Failure, tell};
 use crate::input::{Input, is_dash};
@@ -135,6 +136,20 @@ struct Parts {
     labels: bool,
 }
 
+/// The PNG of what is told to a sink.
+pub(crate) fn still(
+    size: [u32; 2],
+    view: View,
+    draw: &dyn Fn(&mut dyn DrawSink),
+) -> io::Result<Vec<u8>> {
+    let mut bounds = Bounds::default();
+    draw(&mut bounds);
+    bounds.end_frame();
+    let lens = Lens::new(size[0], size[1], 32);
+    let camera = Camera::fitted(view.direction(), bounds.corners(), lens);
+    Style { camera, size, bounds, grid: false }.paint("", draw).to_png()
+}
+
 impl Render {
     pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
         let format = self.format()?;
@@ -157,8 +172,12 @@ impl Render {
         let note = note.or_else(|| reel.note(&last));
         let camera = self.camera(&bounds)?;
         let grid = !self.parts.no_grid;
-        let style = Style { camera, size: self.size, options, bounds, grid };
-        reel.play(&progress, |world: &World| output.push(world, style.paint(world), out))?;
+        let style = Style { camera, size: self.size, bounds, grid };
+        reel.play(&progress, |world: &World| {
+            let caption = format!("tick {}", world.tick());
+            let picture = style.paint(&caption, &|sink| world.draw(sink, options));
+            output.push(world, picture, out)
+        })?;
         drop(progress);
 
         let written = output.finish(out)?;

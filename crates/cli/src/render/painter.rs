@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use verlock::world::{DrawOptions, DrawSink, Shade};
-use verlock::{Vec3, World};
+use verlock::Vec3;
+use verlock::world::{DrawSink, Shade};
 
 use super::bounds::Bounds;
 use super::camera::Camera;
@@ -15,10 +15,12 @@ use super::picture::Picture;
 use super::plane::{Grid, Plane, planes};
 
 /// By how many 4,096ths of its distance a thing is moved towards the eye, so that faces do not hide
-/// their edges, nor lines their ends, nor the ground what lies on it.
+/// their edges, nor lines their ends, nor the ground what lies on it. Contacts are seen through
+/// everything.
 const EDGE_LIFT: i64 = 8;
 const LINE_LIFT: i64 = 16;
 const POINT_LIFT: i64 = 32;
+const CONTACT_LIFT: i64 = 3072;
 const GRID_LIFT: i64 = -64;
 const SHADOW_LIFT: i64 = -68;
 
@@ -37,13 +39,15 @@ const HAZE: u32 = WHOLE / 4;
 const OCTAGON: [[i64; 2]; 8] =
     [[256, 0], [181, 181], [0, 256], [-181, 181], [-256, 0], [-181, -181], [0, -256], [181, -181]];
 
+/// Tells a sink what there is.
+pub(super) type Draw<'a> = dyn Fn(&mut dyn DrawSink) + 'a;
+
 /// How frames are painted: the same for all of them.
 #[derive(Debug)]
 pub(super) struct Style {
     pub(super) camera: Camera,
     /// Pixels across and down.
     pub(super) size: [u32; 2],
-    pub(super) options: DrawOptions,
     /// Of what is shown in any frame.
     pub(super) bounds: Bounds,
     /// Whether there are grids and shadows.
@@ -64,12 +68,12 @@ pub(super) struct Painter<'a> {
 }
 
 impl Style {
-    /// Paints a world.
-    pub(super) fn paint(&self, world: &World) -> Picture {
-        let mut painter = Painter::new(self, world);
+    /// Paints what is told to a sink, and a text in the lower left corner.
+    pub(super) fn paint(&self, caption: &str, draw: &Draw<'_>) -> Picture {
+        let mut painter = Painter::new(self, draw);
         painter.grids();
-        world.draw(&mut painter, self.options);
-        painter.caption(world.tick());
+        draw(&mut painter);
+        painter.caption(caption);
         painter.finish()
     }
 
@@ -84,15 +88,15 @@ impl Style {
 }
 
 impl<'a> Painter<'a> {
-    /// An empty canvas for a world.
-    pub(super) fn new(style: &'a Style, world: &World) -> Self {
+    /// An empty canvas for what is to be drawn.
+    pub(super) fn new(style: &'a Style, draw: &Draw<'_>) -> Self {
         let [width, height] = style.size;
         Self {
             style,
             frustum: style.camera.frustum(),
             canvas: Canvas::new(width, height),
             grid: Grid::new(&style.bounds),
-            planes: if style.grid { planes(world, &style.bounds) } else { Vec::new() },
+            planes: if style.grid { planes(draw, &style.bounds) } else { Vec::new() },
             radius: style.radius(),
         }
     }
@@ -118,11 +122,11 @@ impl<'a> Painter<'a> {
         }
     }
 
-    /// The tick in the lower left corner.
-    fn caption(&mut self, tick: u64) {
+    /// A text in the lower left corner.
+    fn caption(&mut self, text: &str) {
         let height = i64::from(self.style.size[1]) * PIXEL / 40;
         let bottom = i64::from(self.style.size[1]) * PIXEL - height;
-        font::write(&mut self.canvas, &format!("tick {tick}"), height, bottom, height);
+        font::write(&mut self.canvas, text, height, bottom, height);
     }
 
     fn view(&self, at: Vec3) -> Option<[i64; 3]> {
@@ -205,7 +209,8 @@ impl DrawSink for Painter<'_> {
             self.stroke([a, b], LINE_WIDTH, SHADOW_LIFT, SHADOW);
         }
         let colour = self.hazed(colour::of(shade), ends[0]);
-        self.stroke(ends, LINE_WIDTH, LINE_LIFT, colour);
+        let lift = if shade == Shade::Contact { CONTACT_LIFT } else { LINE_LIFT };
+        self.stroke(ends, LINE_WIDTH, lift, colour);
     }
 
     fn point(&mut self, at: Vec3, shade: Shade) {

@@ -4,14 +4,15 @@
 //! the multiples of one spacing, so that the grids of several planes meet. They fade away from the
 //! middle of what is shown, and stop behind other planes.
 
+use verlock::Vec3;
 use verlock::math::UnitVec3;
 use verlock::math::root::isqrt_wide;
 use verlock::math::wide::round_div_wide;
-use verlock::world::{Detail, DrawOptions, DrawSink, Shade};
-use verlock::{Vec3, World};
+use verlock::world::{DrawSink, Shade};
 
 use super::bounds::{Bounds, longest};
 use super::colour::WHOLE;
+use super::painter::Draw;
 
 /// Lines of a grid from the middle of what is shown to where they fade out, at most.
 const LINES: i64 = 14;
@@ -43,11 +44,10 @@ pub(super) struct Piece {
     pub(super) share: u32,
 }
 
-/// The planes that a world draws, but for those that take no part; one of them at least is ground.
-pub(super) fn planes(world: &World, bounds: &Bounds) -> Vec<Plane> {
-    let options = DrawOptions { distances: Detail::None, particles: Detail::None, labels: false };
+/// The planes that are drawn, but for those that take no part; one of them at least is ground.
+pub(super) fn planes(draw: &Draw<'_>, bounds: &Bounds) -> Vec<Plane> {
     let mut planes = Planes(Vec::new());
-    world.draw(&mut planes, options);
+    draw(&mut planes);
     if !planes.0.iter().any(|plane| plane.is_ground()) {
         planes.0.push(bounds.ground());
     }

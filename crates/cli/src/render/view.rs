@@ -6,7 +6,7 @@ use verlock::{Real, Vec3};
 
 /// From where everything shown is looked at.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
-pub(super) enum View {
+pub(crate) enum View {
     /// Against z; x to the right, y up
     Front,
     /// Against x; z to the left, y up
@@ -31,7 +31,7 @@ impl View {
 }
 
 /// Pixels of a picture, `WxH`.
-pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
+pub(crate) fn size(text: &str) -> Result<[u32; 2], String> {
     let sides = text.split_once('x').and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
     let sides = sides.ok_or("two numbers with an x between them are expected: 640x480")?;
     if sides.iter().all(|side| (16..=4096).contains(side)) {

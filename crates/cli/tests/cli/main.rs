@@ -12,6 +12,8 @@ mod files;
 mod heavy;
 /// What a file is and holds.
 mod inspect;
+/// Two meshes that intersect, or do not.
+mod overlap;
 /// Pictures: sizes, sheets, films, goldens.
 mod render;
 /// Scenes stepped and recorded.
