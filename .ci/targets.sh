@@ -11,7 +11,7 @@ foreign_targets=(
 )
 
 # The modules of tests/main.rs that run there.
-foreign_tests=(golden snapshot replay math detector::golden partition::golden)
+foreign_tests=(golden snapshot replay math detector::golden partition::golden bvh::golden)
 
 # Optimised is what takes the time of the tests, the library and its hash: std and the other packages
 # are built in half the time without, and their generic code is compiled with the library anyway.

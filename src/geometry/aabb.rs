@@ -5,7 +5,7 @@ use crate::math::Vec3;
 /// An axis-aligned box, closed: its surface belongs to it. A point is a box too.
 ///
 /// Every operation is exact. `min <= max` along each axis, whoever made it.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[repr(C)]
 pub struct Aabb {
     min: Vec3,

@@ -42,7 +42,7 @@ impl Object {
 impl From<Aabb> for Object {
     #[inline]
     fn from(bounds: Aabb) -> Self {
-        let [low, high] = [Aabb::min(&bounds).raw(), Aabb::max(&bounds).raw()];
+        let [low, high] = [bounds.min().raw(), bounds.max().raw()];
         let middle = [0, 1, 2].map(|k| low[k].midpoint(high[k]));
         Self { bounds, centre: Vec3::from_raw(middle) }
     }

@@ -77,7 +77,7 @@ impl Crowd {
     /// An object goes on, if it stays in the world.
     fn go(&mut self, id: u32) -> Option<Change> {
         let (object, way) = self.objects[id as usize].as_mut()?;
-        let [low, high] = [Aabb::min(&object.bounds) + *way, Aabb::max(&object.bounds) + *way];
+        let [low, high] = [object.bounds.min() + *way, object.bounds.max() + *way];
         let inside = |corner: Vec3| corner.raw().iter().all(|c| c.abs() <= LIMIT);
         if *way == Vec3::ZERO || !inside(low) || !inside(high) {
             return None;
@@ -91,8 +91,8 @@ impl Crowd {
         let bounds = self.bounds();
         let mut object = Object::from(bounds);
         match self.below(8) {
-            0 => object.centre = Aabb::min(&bounds),
-            1 => object.centre = Aabb::max(&bounds),
+            0 => object.centre = bounds.min(),
+            1 => object.centre = bounds.max(),
             2 => object.centre = Vec3::from_raw([(); 3].map(|()| self.within(LIMIT))),
             _ => {}
         }

@@ -42,7 +42,7 @@ pub fn broad_phase(bytes: &[u8]) -> bool {
 
 /// The oracle first. Walls, levels and counts are drawn.
 fn all(draw: &mut Draw<'_>) -> [Box<dyn Partition>; 6] {
-    let walls = (0..draw.below(8) * 3).map(|_| Aabb::min(&bounds(draw)));
+    let walls = (0..draw.below(8) * 3).map(|_| bounds(draw).min());
     let walls: Vec<Vec3> = walls.collect();
     let faces = (0..).step_by(3).take(walls.len() / 3).map(|first| [first, first + 1, first + 2]);
     let bsp = match TriangleMesh::new(walls.iter().copied(), faces) {

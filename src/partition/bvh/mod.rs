@@ -32,7 +32,7 @@
 //! let far: Vec<_> =
 //!     floor.mesh().vertices().iter().map(|&p| p + Vec3::from_ints(0, 9, 0)).collect();
 //! floor.refit(&far).expect("in range");
-//! assert_eq!(floor.pairs(&wall, Precision::Exact), []);
+//! assert!(floor.pairs(&wall, Precision::Exact).is_empty());
 //! # Ok::<(), verlock::geometry::MeshError>(())
 //! ```
 
