@@ -68,7 +68,7 @@ pub enum DistanceForm {
     /// [`DistanceForm::Exact`].
     RootFree,
     /// As [`DistanceForm::Exact`] within 1.4 % of the correction, up to four times the length, but
-    /// without root and division and four at a time: for cloth. Rods and ropes of 0.5 mm to 64 m
+    /// without root and division and several at a time: for cloth. Rods and ropes of 0.5 mm to 64 m
     /// only: with any other slack, length or with compliance, and for particles more than 64 m
     /// apart, as [`DistanceForm::Exact`].
     DivisionFree,

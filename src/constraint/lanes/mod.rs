@@ -1,4 +1,4 @@
-//! The division-free form, four links at a time.
+//! The division-free form, four links or eight at a time.
 //!
 //! Positions are 32-bit differences from an anchor (`local.rs`), one particle in four lanes of
 //! which the last is 0. The four links of a batch share no movable particle. Whatever the
@@ -6,15 +6,15 @@
 
 #[cfg(any(test, not(all(target_arch = "x86_64", target_feature = "sse2"))))]
 mod portable;
-#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-mod sse2;
 #[cfg(test)]
 mod tests;
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+mod x86;
 
 #[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
 use portable as processor;
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-use sse2 as processor;
+use x86 as processor;
 
 use alloc::vec::Vec;
 
