@@ -36,7 +36,8 @@ pub struct IntersectionPoint {
 /// What two triangles have in common: the convex hull of 1 to 6 points, each a corner of it.
 ///
 /// Two points are in lexicographic order. More go around a polygon, which only triangles in one
-/// plane have in common: from the smallest towards the smaller one of its neighbours.
+/// plane have in common: from the smallest towards the smaller one of its neighbours, so that the
+/// list of their positions is the first of all ways around.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Intersection {
     points: [IntersectionPoint; 6],

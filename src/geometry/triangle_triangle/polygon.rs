@@ -82,7 +82,7 @@ impl Points {
         if self.len <= 2 {
             return self.along();
         }
-        let mut ring = [self.iter().min()?; 6];
+        let mut ring = [self.iter().next()?; 6];
         let mut len = 1;
         // Along every side of the polygon runs an edge, which holds the points at both its ends.
         while len < self.len.min(6) {
@@ -90,9 +90,13 @@ impl Points {
             let beside = |point: &IntersectionPoint| {
                 !placed.contains(point) && lines(point) & lines(&placed[len - 1]) != 0
             };
-            ring[len] = self.iter().filter(beside).min()?;
+            ring[len] = self.iter().find(beside)?;
             len += 1;
         }
+        // Places may coincide: then only all of them tell where to begin, and which way to go.
+        let way = |first, step| [0, 1, 2, 3, 4, 5].map(|at| ring[(first + at * step) % len]);
+        let ways = (0..len).flat_map(|first| [1, len - 1].map(|step| way(first, step)));
+        let ring = ways.min_by_key(|way| way.map(|point| point.position))?;
         Some(Intersection::polygon(&ring[..len]))
     }
 }
