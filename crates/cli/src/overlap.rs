@@ -1,6 +1,6 @@
 //! `verlock overlap`: where two meshes intersect.
 
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -16,7 +16,7 @@ use crate::count::counted;
 use crate::exit::Exit;
 use crate::failure::{Failure, tell};
 use crate::input::Input;
-use crate::render::{self, View, size};
+use crate::render::{self, Format, View, size};
 use crate::target::Target;
 
 /// List the faces of two meshes that intersect, and where
@@ -55,31 +55,27 @@ pub(crate) struct Overlap {
     force: bool,
 }
 
-/// Two faces that intersect, and where.
-struct Pair {
-    faces: [u32; 2],
-    intersection: Intersection,
-}
-
 impl Overlap {
     pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
-        let target = self.render.map(|path| Target::new(path, self.force)).transpose()?;
-        if target.as_ref().is_some_and(Target::is_stdout) {
-            return Err(Failure::usage("stdout is for the pairs: name a file for the picture"));
-        }
+        let target = self.target()?;
         let inputs = Input::read_two(&self.a, &self.b, limit)?;
-        let [a, b] = [mesh(&inputs[0])?, mesh(&inputs[1])?];
-        let pairs = pairs(&a, &b);
+        let meshes = [mesh(&inputs[0])?, mesh(&inputs[1])?];
+        let [tree_a, tree_b] = meshes.each_ref().map(|mesh| <Bvh>::new(Arc::clone(mesh)));
+        let pairs = tree_a.pairs(&tree_b, Precision::Exact);
+        // Where they are is found again whenever it is needed: small files can have many pairs.
+        let places = || pairs.iter().filter_map(|&faces| common(&meshes, faces));
         if let Some(target) = target {
-            let draw = |sink: &mut dyn DrawSink| draw([&a, &b], &pairs, sink);
+            let draw = |sink: &mut dyn DrawSink| draw(&meshes, places(), sink);
             target.write(&render::still(self.size, self.view, &draw)?, out)?;
         }
         if self.json {
-            let faces: Vec<_> = pairs.iter().map(|pair| pair.faces).collect();
-            let segments: Vec<_> = pairs.iter().map(Pair::json).collect();
-            writeln!(out, "{}", json!({ "v": 1, "pairs": faces, "segments": segments }))?;
+            write!(out, r#"{{"v":1,"pairs":"#)?;
+            list(out, pairs.iter().map(|faces| json!(faces)))?;
+            write!(out, r#","segments":"#)?;
+            list(out, places().map(|intersection| decimals(&intersection)))?;
+            writeln!(out, "}}")?;
         } else {
-            for Pair { faces: [a, b], intersection } in &pairs {
+            for ([a, b], intersection) in pairs.iter().zip(places()) {
                 write!(out, "{a} {b}")?;
                 for IntersectionPoint { position: Vec3 { x, y, z }, .. } in intersection.points() {
                     write!(out, " ({x}, {y}, {z})")?;
@@ -89,17 +85,42 @@ impl Overlap {
         }
         Ok(Exit::Fine)
     }
+
+    /// The file of the picture.
+    fn target(&self) -> Result<Option<Target>, Failure> {
+        let Some(path) = &self.render else { return Ok(None) };
+        let target = Target::new(path.clone(), self.force)?;
+        if target.is_stdout() {
+            return Err(Failure::usage("stdout is for the pairs: name a file for the picture"));
+        }
+        if Format::of(path)? != Format::Png {
+            return Err(Failure::usage(format!("{}: is no .png", path.display())));
+        }
+        if target.is(&self.a) || target.is(&self.b) {
+            let path = path.display();
+            return Err(Failure::usage(format!("{path}: a mesh would be overwritten")));
+        }
+        Ok(Some(target))
+    }
 }
 
-impl Pair {
-    /// The corners of what is common, as exact decimals.
-    fn json(&self) -> Value {
-        let points = self.intersection.points().iter().map(|point| {
-            let Vec3 { x, y, z } = point.position;
-            [x, y, z].map(|c| c.to_string())
-        });
-        points.collect()
+/// Writes a JSON array item by item.
+fn list(out: &mut dyn Write, items: impl Iterator<Item = Value>) -> io::Result<()> {
+    write!(out, "[")?;
+    for (place, item) in items.enumerate() {
+        let comma = if place == 0 { "" } else { "," };
+        write!(out, "{comma}{item}")?;
     }
+    write!(out, "]")
+}
+
+/// The corners of what is common, as exact decimals.
+fn decimals(intersection: &Intersection) -> Value {
+    let points = intersection.points().iter().map(|point| {
+        let Vec3 { x, y, z } = point.position;
+        [x, y, z].map(|c| c.to_string())
+    });
+    points.collect()
 }
 
 /// The mesh of a file. Faces without an area are legal, but seldom meant.
@@ -113,23 +134,20 @@ fn mesh(input: &Input) -> Result<Arc<TriangleMesh>, Failure> {
     Ok(Arc::new(mesh))
 }
 
-fn pairs(a: &Arc<TriangleMesh>, b: &Arc<TriangleMesh>) -> Vec<Pair> {
-    let [tree_a, tree_b] = [a, b].map(|mesh| <Bvh>::new(Arc::clone(mesh)));
-    let pairs = tree_a.pairs(&tree_b, Precision::Exact).into_iter();
-    pairs
-        .filter_map(|faces| {
-            let [of_a, of_b] = [a.triangle(faces[0]), b.triangle(faces[1])];
-            let intersection = intersection_triangle_triangle(&of_a, &of_b)?;
-            Some(Pair { faces, intersection })
-        })
-        .collect()
+/// What a face of the first mesh and one of the second have in common.
+fn common([a, b]: &[Arc<TriangleMesh>; 2], faces: [u32; 2]) -> Option<Intersection> {
+    intersection_triangle_triangle(&a.triangle(faces[0]), &b.triangle(faces[1]))
 }
 
-fn draw(meshes: [&TriangleMesh; 2], pairs: &[Pair], sink: &mut dyn DrawSink) {
-    for (mesh, shade) in meshes.into_iter().zip([Shade::Face, Shade::Collider]) {
+fn draw(
+    meshes: &[Arc<TriangleMesh>; 2],
+    places: impl Iterator<Item = Intersection>,
+    sink: &mut dyn DrawSink,
+) {
+    for (mesh, shade) in meshes.iter().zip([Shade::Face, Shade::Collider]) {
         mesh.triangles().for_each(|triangle| sink.triangle(*triangle.corners(), shade));
     }
-    for Pair { intersection, .. } in pairs {
+    for intersection in places {
         let points = intersection.points();
         // A segment there and back, or around a polygon.
         let ends = points.iter().zip(points.iter().cycle().skip(1));

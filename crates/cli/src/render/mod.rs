@@ -34,7 +34,8 @@ use verlock::{Vec3, World};
 
 use self::bounds::Bounds;
 use self::camera::{Camera, Lens};
-use self::output::{Format, Output, Written};
+pub(crate) use self::output::Format;
+use self::output::{Output, Written};
 use self::painter::Style;
 use self::reel::Reel;
 pub(crate) use self::view::{View, size};

@@ -19,7 +19,7 @@ use crate::target::Target;
 
 /// What a path stands for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Format {
+pub(crate) enum Format {
     Png,
     Gif,
     /// A PNG for each frame.
@@ -59,7 +59,7 @@ pub(super) struct Written {
 
 impl Format {
     /// Files are known by their extension; `-` is a PNG; what has none is a folder.
-    pub(super) fn of(path: &Path) -> Result<Self, Failure> {
+    pub(crate) fn of(path: &Path) -> Result<Self, Failure> {
         let extension = path.extension().map(OsStr::to_ascii_lowercase);
         match extension.as_deref().and_then(|extension| extension.to_str()) {
             _ if is_dash(path) => Ok(Self::Png),

@@ -42,6 +42,18 @@ fn touching_counts_and_a_step_beside_it_does_not() {
     }
 }
 
+/// A face of four corners is two.
+#[test]
+fn pairs_and_segments_are_in_one_order() {
+    let sandbox = sandbox("overlap-order");
+    sandbox.write("square.obj", b"v 0 0 0\nv 4 0 0\nv 4 0 4\nv 0 0 4\nf 1 2 3 4\n");
+    let found = sandbox.run(&["overlap", "square.obj", "blade.obj", "--json"]).expect(0);
+    let segments = json!([[["1", "0", "1"]], [["1", "0", "1"], ["1", "0", "4"]]]);
+    assert_eq!(found.json(), json!({ "v": 1, "pairs": [[0, 1], [1, 1]], "segments": segments }));
+    let found = sandbox.run(&["overlap", "square.obj", "blade.obj"]).expect(0);
+    assert_eq!(found.text(), "0 1 (1, 0, 1)\n1 1 (1, 0, 1) (1, 0, 4)\n");
+}
+
 /// A mesh lies in its own planes.
 #[test]
 fn faces_of_one_plane_have_polygons_in_common() {
@@ -96,4 +108,13 @@ fn both_meshes_are_painted() {
     assert_eq!(sandbox.read("both.png"), picture);
     let command = ["overlap", "floor.obj", "blade.obj", "--render", "-"];
     sandbox.run(&command).expect(2).says("stdout is for the pairs");
+    for name in ["both.gif", "both.jpg", "both"] {
+        let command = ["overlap", "floor.obj", "blade.obj", "--render", name];
+        sandbox.run(&command).expect(2).says(&format!("{name}: "));
+    }
+    // A mesh is not taken for an old picture.
+    sandbox.write("mesh.png", FLOOR.as_bytes());
+    let command = ["overlap", "mesh.png", "blade.obj", "--render", "mesh.png", "--force"];
+    sandbox.run(&command).expect(2).says("mesh.png: a mesh would be overwritten");
+    assert_eq!(sandbox.read("mesh.png"), FLOOR.as_bytes());
 }
