@@ -25,7 +25,7 @@ use crate::target::Target;
 /// for every pair: face of A, face of B, counted from 0 in the order of the files (a face of more
 /// than 3 corners is a fan of several), then the corners of what they have in common, in metres: a
 /// point, a segment, or the polygon of two faces in one plane. In JSON: "pairs" and, in the same
-/// order, "segments". Returns 0 whether or not there are any.
+/// order, "segments", with coordinates as text. Returns 0 whether or not there are any.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Overlap {
     /// Mesh A, an OBJ file

@@ -211,13 +211,16 @@ fn faces_have_two_sides() {
     // Around the middle of the picture, front to the camera.
     let front = [(-2, -2, 0), (2, -2, 0), (0, 3, 0)].map(|(x, y, z)| Vec3::from_ints(x, y, z));
     let [a, b, c] = front;
-    let seen = |corners: [Vec3; 3], point: Vec3| {
+    let shaded = |corners: [Vec3; 3], point: Vec3, shade: Shade| {
         let mut painter = Painter::new(&style, &|_| {});
-        painter.point(point, Shade::Pinned);
+        painter.point(point, shade);
         painter.triangle(corners, Shade::Face);
         pixel(&painter.finish(), 32, 32)
     };
+    let seen = |corners, point| shaded(corners, point, Shade::Pinned);
     let behind = -Vec3::Z;
+    // Contacts only are seen through it.
+    assert_ne!(shaded(front, behind, Shade::Contact), seen(front, behind));
     let is_red = |Rgb([r, g, b]): Rgb| r > g.max(b);
     assert!(is_red(seen(front, behind)) && !is_red(seen([a, c, b], behind)));
     assert_eq!(seen(front, behind), seen([b, c, a], behind));

@@ -15,8 +15,8 @@ use super::picture::Picture;
 use super::plane::{Grid, Plane, planes};
 
 /// By how many 4,096ths of its distance a thing is moved towards the eye, so that faces do not hide
-/// their edges, nor lines their ends, nor the ground what lies on it. Contacts are seen through
-/// everything.
+/// their edges, nor lines their ends, nor the ground what lies on it. Contacts are seen through all
+/// but what is four times as near.
 const EDGE_LIFT: i64 = 8;
 const LINE_LIFT: i64 = 16;
 const POINT_LIFT: i64 = 32;
@@ -184,10 +184,15 @@ impl<'a> Painter<'a> {
     }
 
     /// A point of the picture, if it is inside of it.
-    fn spot(&self, at: Vec3) -> Option<(Spot, [i64; 3])> {
+    fn spot(&self, at: Vec3, lift: i64) -> Option<(Spot, [i64; 3])> {
         let view = self.view(at).filter(|&view| self.frustum.contains(view))?;
-        Some((self.style.camera.spot(view, POINT_LIFT), view))
+        Some((self.style.camera.spot(view, lift), view))
     }
+}
+
+/// The lift of a thing, unless it is a contact.
+fn lifted(shade: Shade, lift: i64) -> i64 {
+    if shade == Shade::Contact { CONTACT_LIFT } else { lift }
 }
 
 impl DrawSink for Painter<'_> {
@@ -209,20 +214,20 @@ impl DrawSink for Painter<'_> {
             self.stroke([a, b], LINE_WIDTH, SHADOW_LIFT, SHADOW);
         }
         let colour = self.hazed(colour::of(shade), ends[0]);
-        let lift = if shade == Shade::Contact { CONTACT_LIFT } else { LINE_LIFT };
-        self.stroke(ends, LINE_WIDTH, lift, colour);
+        self.stroke(ends, LINE_WIDTH, lifted(shade, LINE_LIFT), colour);
     }
 
     fn point(&mut self, at: Vec3, shade: Shade) {
         self.shadow_of_point(at);
-        let Some((spot, view)) = self.spot(at) else { return };
+        let lift = lifted(shade, POINT_LIFT);
+        let Some((spot, view)) = self.spot(at, lift) else { return };
         let radius = if shade == Shade::Pinned { self.radius * 3 / 2 } else { self.radius };
         let radius = self.style.camera.scaled(radius, view).clamp(RADIUS_FAR, RADIUS_NEAR);
         self.canvas.ball(spot, radius, self.hazed(colour::of(shade), at));
     }
 
     fn label(&mut self, at: Vec3, text: fmt::Arguments<'_>) {
-        if let Some((spot, _)) = self.spot(at) {
+        if let Some((spot, _)) = self.spot(at, POINT_LIFT) {
             let height = i64::from(self.style.size[1]) * PIXEL / 64;
             let (left, bottom) = (spot.x + height / 2, spot.y - height / 2);
             font::write(&mut self.canvas, &text.to_string(), left, bottom, height.max(6 * PIXEL));
