@@ -46,11 +46,13 @@ impl Partition for BruteForce {
     fn pairs(&mut self) -> &[Pair] {
         self.roster.settle();
         self.pairs.clear();
-        for a in self.roster.ids() {
+        // Listed once: the table may have a place for many more.
+        let ids: Vec<_> = self.roster.ids().collect();
+        for (at, &a) in ids.iter().enumerate() {
             let bounds = self.roster.bounds(a);
-            let later = self.roster.ids().filter(|&b| b > a);
-            let touching = later.filter(|&b| bounds.overlaps(self.roster.bounds(b)));
-            self.pairs.extend(touching.map(|b| [a, b]));
+            let touching = |b: &u32| bounds.overlaps(self.roster.bounds(*b));
+            let later = ids[at + 1..].iter().copied().filter(touching);
+            self.pairs.extend(later.map(|b| [a, b]));
         }
         &self.pairs
     }
