@@ -34,8 +34,8 @@ const TRIES: usize = 16;
 /// A piece that is cut counts as much as so many that are on one side too many.
 const ACROSS_COST: usize = 8;
 
-/// A tree that divides these pieces. O(n) for each level; no more nodes than pieces or one, since
-/// every leaf has one, and a piece that lies across a plane has no further say.
+/// A tree that divides these pieces. O(n) for each level; fewer than twice as many nodes as pieces,
+/// or one, since every leaf has a piece, and one that lies across a plane has no further say.
 pub(super) fn build<const D: usize>(pieces: &[Piece<D>]) -> Vec<Node<D>> {
     let mut nodes = Vec::new();
     divide(pieces, DEPTH_MAX, &mut nodes);

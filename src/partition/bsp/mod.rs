@@ -20,7 +20,7 @@ use plane::{Plane, Side, Span};
 /// therefore never kept in different branches. The planes are those of the faces of a mesh
 /// ([`walls`](Self::walls)): made for rooms, whose walls keep apart what is in them, while what
 /// stands in a door is compared with both sides. Without walls they are taken from the objects,
-/// anew when as many changed as there are.
+/// anew when more changed than there were.
 ///
 /// After a change [`pairs`](Partition::pairs) takes O(n log n), and O(1) for each object in the
 /// same branch as another one. A [`query`](Partition::query) takes O(log n) for each part of space
@@ -33,8 +33,8 @@ pub struct Bsp<const D: usize> {
     nodes: Vec<Node<D>>,
     /// Whether the planes are those of walls.
     is_walled: bool,
-    /// Changes since planes were taken from the objects.
-    changes: u32,
+    /// Changes until planes are taken from the objects again: as many as there were objects.
+    patience: u32,
     /// Sorted by node. Some may be stale.
     entries: Vec<Entry>,
     pairs: Vec<Pair>,
@@ -88,7 +88,7 @@ impl<const D: usize> Bsp<D> {
             axes,
             nodes: build(&[]),
             is_walled: false,
-            changes: 0,
+            patience: 0,
             entries: Vec::new(),
             pairs: Vec::new(),
         }
@@ -119,13 +119,14 @@ impl<const D: usize> Bsp<D> {
 
     /// Takes planes from the objects, each just beyond one of its faces.
     fn rebuild(&mut self) {
-        let piece = |(at, id)| {
+        let piece = |(at, id): (u32, u32)| {
             let span = self.span(self.roster.bounds(id));
-            let axis = at % D;
+            // Mixed: only some pieces are tried, and of axes in turn these could have one only.
+            let axis = (at.wrapping_mul(0x9E37_79B9) >> 16) as usize % D;
             Piece { span, plane: Plane::across(axis, span[1][axis] + 1) }
         };
-        self.nodes = build(&self.roster.ids().enumerate().map(piece).collect::<Vec<_>>());
-        self.changes = 0;
+        self.nodes = build(&(0..).zip(self.roster.ids()).map(piece).collect::<Vec<_>>());
+        self.patience = self.roster.len();
         self.entries.clear();
     }
 
@@ -145,9 +146,11 @@ impl<const D: usize> Bsp<D> {
 
     /// Files the objects that changed, or all of them among new planes.
     fn settle(&mut self) {
-        let stale = self.roster.stale().len();
-        self.changes = self.changes.saturating_add(u32::try_from(stale).unwrap_or(u32::MAX));
-        if !self.is_walled && self.changes > self.roster.len() {
+        // No more ids than 2^20.
+        let changed = u32::try_from(self.roster.stale().len()).unwrap_or(u32::MAX);
+        let patience = self.patience.checked_sub(changed);
+        self.patience = patience.unwrap_or(0);
+        if !self.is_walled && patience.is_none() {
             self.rebuild();
             let all = self.roster.ids().map(|id| Entry { node: self.node_of(id), id });
             self.entries = all.collect();
@@ -272,5 +275,45 @@ impl<const D: usize> Partition for Bsp<D> {
         } else {
             Err("bsp: an object that is not kept once")
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Vec3;
+
+    /// How many of 96 cubes in a row along an axis are in one part, if so many came first.
+    fn most_in_a_part(axis: usize, first: u32) -> usize {
+        let mut bsp = Bsp::<3>::new();
+        for id in 0..96 {
+            let mut corner = [0; 3];
+            corner[axis] = i64::from(id) * 2;
+            let end = corner.map(|c| c + 1);
+            let bounds = Aabb::new(Vec3::from_raw(corner), Vec3::from_raw(end));
+            bsp.insert(id, bounds.into()).expect("inserted");
+            if id + 1 == first {
+                bsp.pairs();
+            }
+        }
+        assert!(bsp.pairs().is_empty());
+        let inside = |node| bsp.entries.iter().filter(|entry| entry.node == node).count();
+        bsp.entries.iter().map(|entry| inside(entry.node)).max().unwrap_or(0)
+    }
+
+    /// Objects that are told once and then rest have planes between them.
+    #[test]
+    fn the_first_objects_bring_planes() {
+        for first in [0, 1, 40] {
+            let most = most_in_a_part(0, first);
+            assert!(most < 24, "{most} in one part, {first} first");
+        }
+    }
+
+    /// Along whichever axis they stand.
+    #[test]
+    fn all_axes_are_divided() {
+        let most = [0, 1, 2].map(|axis| most_in_a_part(axis, 0));
+        assert!(most.into_iter().all(|most| most < 24), "{most:?}");
     }
 }
