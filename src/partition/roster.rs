@@ -180,9 +180,11 @@ impl Roster {
         if self.ids().count() != *len as usize {
             return Err("roster: a wrong number of objects");
         }
-        let marked = is_stale.iter().filter(|&&stale| stale).count();
-        if marked != stale.len() || !stale.iter().all(|&id| is_stale[id as usize]) {
-            return Err("roster: a mark without an entry");
+        let mut listed = stale.clone();
+        listed.sort_unstable();
+        let marked = (0..).zip(is_stale).filter(|(_, stale)| **stale).map(|(id, _)| id);
+        if !marked.eq(listed) {
+            return Err("roster: a mark without one entry");
         }
         if !self.ids().filter_map(|id| self.object(id)).all(|object| object.check().is_ok()) {
             return Err("roster: a coordinate out of range");

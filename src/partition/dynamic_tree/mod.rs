@@ -25,13 +25,17 @@ const HORIZON: i64 = 8;
 /// trembles.
 const MARGIN_PART: i64 = 16;
 
+/// A tree in which a leaf came to hang deeper is built afresh: leaves that are hung up in order, or
+/// all at one place, would make a list of it. What is just built is not as deep.
+const DEPTH_MAX: u32 = 128;
+
 /// The default: a tree of boxes, and a list of *candidates* that outlives the tick.
 ///
 /// A leaf is a *fat* box, which reaches ahead of the object's motion. While objects stay in their
 /// fat boxes, the tree stays as it is, and so do the candidates, all pairs of objects whose fat
 /// boxes touch: their tight boxes are compared in one go, in order, so that nothing needs sorting.
 /// An object that left its fat box gets another one and its leaf another place; when that happened
-/// to many, the tree is built afresh. None of this reaches a result.
+/// to many, or the tree became deep, it is built afresh. None of this reaches a result.
 ///
 /// With n objects, c candidates and k objects that left their fat boxes,
 /// [`update`](Partition::update) takes O(1), [`pairs`](Partition::pairs) O(c + k log n), or
@@ -77,10 +81,9 @@ impl DynamicTree {
         if changed == 0 {
             return;
         }
-        if changed * 8 >= all || self.hung as usize + changed > all {
+        let are_many = changed * 8 >= all || self.hung as usize + changed > all;
+        if are_many || !self.rehang() {
             self.rebuild();
-        } else {
-            self.rehang();
         }
         self.roster.settle();
     }
@@ -102,8 +105,9 @@ impl DynamicTree {
         candidates.sort_unstable();
     }
 
-    /// Hangs up the stale objects anew, and finds their candidates anew.
-    fn rehang(&mut self) {
+    /// Hangs up the stale objects anew, and finds their candidates anew; gives up if the tree
+    /// becomes too deep.
+    fn rehang(&mut self) -> bool {
         let Self { roster, fat, motions, tree, candidates, work, .. } = self;
         tree.places.resize(roster.slots(), Place::NOWHERE);
         for &id in roster.stale() {
@@ -111,8 +115,10 @@ impl DynamicTree {
             if roster.contains(id) {
                 let bounds = fatten(roster.bounds(id), motions[id as usize]);
                 fat[id as usize] = bounds;
-                tree.insert(id, &Coarse::new(&bounds, self.origin));
                 self.hung += 1;
+                if tree.insert(id, &Coarse::new(&bounds, self.origin)) > DEPTH_MAX {
+                    return false;
+                }
             }
         }
         candidates.retain(|&[a, b]| !roster.is_stale(a) && !roster.is_stale(b));
@@ -128,6 +134,7 @@ impl DynamicTree {
         }
         work.new.sort_unstable();
         merge(candidates, &work.new);
+        true
     }
 }
 
@@ -166,7 +173,7 @@ fn fatten(tight: &Aabb, motion: Vec3) -> Aabb {
     )
 }
 
-/// The median of a few centres, along each axis: what lies far out does not move it.
+/// The median of a few lowest corners, along each axis: what lies far out does not move it.
 fn middle_of(roster: &Roster) -> Vec3 {
     const SAMPLE: usize = 64;
     let stride = (roster.len() as usize / SAMPLE).max(1);
@@ -175,7 +182,7 @@ fn middle_of(roster: &Roster) -> Vec3 {
         return Vec3::ZERO;
     }
     Vec3::from_raw([0, 1, 2].map(|k| {
-        let mut along: Vec<_> = sample.iter().map(|&id| roster.centre(id).raw()[k]).collect();
+        let mut along: Vec<_> = sample.iter().map(|&id| roster.bounds(id).min().raw()[k]).collect();
         let half = along.len() / 2;
         *along.select_nth_unstable(half).1
     }))
@@ -252,6 +259,10 @@ impl Partition for DynamicTree {
         if !self.candidates.is_sorted_by(|a, b| a < b) {
             return Err("dynamic tree: candidates out of order");
         }
+        let lives = |&id: &u32| self.roster.contains(id) || self.roster.is_stale(id);
+        if !self.candidates.iter().all(|pair| pair[0] < pair[1] && pair.iter().all(lives)) {
+            return Err("dynamic tree: a candidate that is not two objects");
+        }
         let mut wanted = Vec::new();
         for a in self.roster.ids().filter(settled) {
             self.tree.query(&coarse(a), &mut Vec::new(), |b| {
@@ -264,6 +275,91 @@ impl Partition for DynamicTree {
             Ok(())
         } else {
             Err("dynamic tree: leaves that touch and are no candidates")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cube(x: i32) -> Object {
+        Aabb::new(Vec3::from_ints(x, 0, 0), Vec3::from_ints(x + 1, 1, 1)).into()
+    }
+
+    /// Cubes in a row, apart, caught up with.
+    fn row(length: i32) -> DynamicTree {
+        let mut tree = DynamicTree::new();
+        for (id, x) in (0..).zip(0..length) {
+            tree.insert(id, cube(2 * x)).expect("inserted");
+        }
+        tree.pairs();
+        tree
+    }
+
+    fn depth(tree: &Tree, id: u32) -> u32 {
+        let mut place = tree.places[id as usize];
+        let mut depth = 0;
+        while place.node != 0 {
+            place = tree.nodes[place.node as usize].parent;
+            depth += 1;
+        }
+        depth
+    }
+
+    /// Leaves that come in order, or all between the same others, do not make the tree a list.
+    #[test]
+    fn the_tree_stays_shallow() {
+        for step in [2, 0] {
+            let mut tree = row(1000);
+            for tick in 0..7 {
+                for id in tick * 120..(tick + 1) * 120 {
+                    let place = 2000 + step * i32::try_from(id).unwrap_or(0);
+                    tree.update(id, cube(place)).expect("updated");
+                }
+                tree.pairs();
+                let deepest = (0..1000).map(|id| depth(&tree.tree, id)).max();
+                assert!(deepest <= Some(DEPTH_MAX), "{deepest:?} in tick {tick}");
+                assert_eq!(tree.validate(), Ok(()));
+            }
+        }
+    }
+
+    /// The centre is a matter of orthtrees.
+    #[test]
+    fn centres_do_not_matter() {
+        let mut tree = DynamicTree::new();
+        let centre = Vec3::from_raw([Object::COORDINATE_MAX; 3]);
+        for (id, x) in (0..).zip(0..100) {
+            tree.insert(id, Object { centre, ..cube(2 * x) }).expect("inserted");
+        }
+        assert!(tree.pairs().is_empty() && tree.candidates.is_empty());
+    }
+
+    /// Each thing that the tree takes for granted is missed when it does not hold.
+    #[test]
+    fn defects_are_found() {
+        type Defect = fn(&mut DynamicTree);
+        let defects: [(&str, Defect); 6] = [
+            ("a tight box that left", |tree| tree.fat[3] = Aabb::of_point(Vec3::ZERO)),
+            ("leaves that touch", |tree| tree.candidates.clear()),
+            ("a candidate that is not", |tree| tree.candidates.push([8, 9])),
+            ("a candidate that is not", |tree| tree.candidates.push([8, 7])),
+            ("out of order", |tree| tree.candidates.insert(0, [5, 6])),
+            ("tree: a", |tree| tree.tree.remove(3)),
+        ];
+        for (wanted, defect) in defects {
+            let mut tree = DynamicTree::new();
+            for id in 0..10 {
+                tree.insert(id, cube(i32::try_from(id).unwrap_or(0))).expect("inserted");
+            }
+            tree.pairs();
+            tree.remove(9).expect("removed");
+            tree.pairs();
+            assert_eq!(tree.validate(), Ok(()));
+            defect(&mut tree);
+            let told = tree.validate().expect_err(wanted);
+            assert!(told.contains(wanted), "{told}, not {wanted}");
         }
     }
 }

@@ -87,9 +87,10 @@ impl Default for Tree {
 }
 
 impl Tree {
-    /// Hangs up a leaf where it lengthens boxes least. O(depth).
-    pub(super) fn insert(&mut self, id: u32, bounds: &Coarse) {
+    /// Hangs up a leaf where it lengthens boxes least; returns how deep. O(depth).
+    pub(super) fn insert(&mut self, id: u32, bounds: &Coarse) -> u32 {
         let mut index = 0;
+        let mut depth = 0;
         loop {
             let node = &mut self.nodes[index as usize];
             let unions = node.boxes.map(|side| side.union(bounds));
@@ -100,13 +101,17 @@ impl Tree {
             node.boxes[side] = unions[side];
             let place = Place { node: index, side: u32::from(side == 1) };
             match link.child() {
-                Child::Node(child) => index = child,
-                Child::Nothing => return self.hang(Link::leaf(id), place),
+                Child::Node(child) => (index, depth) = (child, depth + 1),
+                Child::Nothing => {
+                    self.hang(Link::leaf(id), place);
+                    return depth;
+                }
                 Child::Leaf(_) => {
                     let fork = self.fork(place);
                     self.nodes[fork as usize].boxes = [old, *bounds];
                     self.hang(link, Place { node: fork, side: 0 });
-                    return self.hang(Link::leaf(id), Place { node: fork, side: 1 });
+                    self.hang(Link::leaf(id), Place { node: fork, side: 1 });
+                    return depth + 1;
                 }
             }
         }
