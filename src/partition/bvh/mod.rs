@@ -8,7 +8,8 @@
 //! # Cells
 //!
 //! Volumes are kept in 32 bits, in cells that the tree lays over its mesh from the lowest corner:
-//! the smallest power of two of which 2^28 are longer than the mesh. Below a span of 16 m a cell is one raw unit and a box exact; beyond, what is not a whole number of cells is rounded
+//! the smallest power of two of which 2^28 are longer than the mesh. Below a span of 16 m a cell is
+//! one raw unit and a box exact; beyond, what is not a whole number of cells is rounded
 //! **outward**, so that a volume holds every point of its faces, always. Rounding depends on
 //! differences only: a tree is the same wherever its mesh is.
 //!
