@@ -21,9 +21,12 @@ use tree::{Place, Tree};
 /// change less often, and more candidates that do not touch.
 const HORIZON: i64 = 8;
 
-/// A fat box is larger by this part of the object's longest edge on every side, for what turns or
+/// A fat box is larger by this part of the object's edge on either side, for what turns or
 /// trembles.
 const MARGIN_PART: i64 = 16;
+
+/// A thin object's edge counts as this part of the longest one: what is thin may lie beside many.
+const THIN_PART: i64 = 8;
 
 /// A tree in which a leaf came to hang deeper is built afresh: leaves that are hung up in order, or
 /// all at one place, would make a list of it. What is just built is not as deep.
@@ -163,9 +166,10 @@ fn fatten(tight: &Aabb, motion: Vec3) -> Aabb {
     if motion.into_iter().any(|way| way.abs() > longest / 2) {
         return *tight;
     }
-    let margin = longest / MARGIN_PART;
+    let margin = edges.map(|edge| edge.max(longest / THIN_PART) / MARGIN_PART);
     let reach = motion.map(|way| way.clamp(-longest / HORIZON, longest / HORIZON) * HORIZON);
-    let ahead = |k: usize| [low[k] - margin + reach[k].min(0), high[k] + margin + reach[k].max(0)];
+    let ahead =
+        |k: usize| [low[k] - margin[k] + reach[k].min(0), high[k] + margin[k] + reach[k].max(0)];
     let ahead = [ahead(0), ahead(1), ahead(2)];
     Aabb::new(
         Vec3::from_raw(ahead.map(|[low, _]| low)),
