@@ -3,7 +3,7 @@
 use super::flat::orient;
 use super::point::{Owner, Pair};
 use super::sides::ordered;
-use super::{Corners, Relation, joint_span, polygon, raw, relation};
+use super::{Relation, joint_span, polygon, raw, relation};
 use crate::geometry::Triangle;
 use crate::math::Vec3;
 use crate::math::determinant::Full;
@@ -35,9 +35,10 @@ pub struct IntersectionPoint {
 
 /// What two triangles have in common: the convex hull of 1 to 6 points, each a corner of it.
 ///
-/// Two points are in lexicographic order. More go around a polygon, which only triangles in one
-/// plane have in common: from the smallest towards the smaller one of its neighbours, so that the
-/// list of their positions is the first of all ways around.
+/// Two points are in lexicographic order; a short way between them may be rounded to none. More go
+/// around a polygon, which only triangles in one plane have in common: from the smallest towards
+/// the smaller one of its neighbours, so that the list of their positions is the first of all ways
+/// around.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Intersection {
     points: [IntersectionPoint; 6],
@@ -95,19 +96,19 @@ impl Intersection {
 #[must_use]
 pub fn intersection_triangle_triangle(a: &Triangle, b: &Triangle) -> Option<Intersection> {
     joint_span(a, b)?;
-    let (a, b) = (raw(a), raw(b));
-    match relation::<Full>(&a, &b) {
+    match relation::<Full>(a, b) {
         Relation::Apart => None,
-        Relation::Flat => polygon::intersection(&a, &b),
-        Relation::Across(orders) => segment(&a, &b, orders),
+        Relation::Flat => polygon::intersection(&raw(a), &raw(b)),
+        Relation::Across(orders) => segment(a, b, orders),
     }
 }
 
 /// What two triangles have in common that cross the line of their planes. Each crosses it between
 /// the edges that leave its first corner; what is common is bounded by one of each pair of ends.
-fn segment(a: &Corners, b: &Corners, orders: [[u8; 3]; 2]) -> Option<Intersection> {
+fn segment(a: &Triangle, b: &Triangle, orders: [[u8; 3]; 2]) -> Option<Intersection> {
     let [[p1, q1, r1], [p2, q2, r2]] = [ordered(a, orders[0]), ordered(b, orders[1])];
-    let pair = Pair::new(a, b);
+    let (a, b) = (raw(a), raw(b));
+    let pair = Pair::new(&a, &b);
     let of_a = |to: usize| pair.crossing(Owner::A, [orders[0][0], orders[0][to]]);
     let of_b = |to: usize| pair.crossing(Owner::B, [orders[1][0], orders[1][to]]);
     let (q, r) = (1, 2);

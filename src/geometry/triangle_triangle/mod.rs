@@ -43,13 +43,12 @@ type Corners = [[i64; 3]; 3];
 pub fn overlap_triangle_triangle(a: &Triangle, b: &Triangle) -> bool {
     // Each spans less than 2^41, and where their boxes meet both span less than 2^42.
     let Some(span) = joint_span(a, b) else { return false };
-    let (a, b) = (raw(a), raw(b));
     if span <= Narrow::SPAN_MAX {
-        overlap::<Narrow>(&a, &b)
+        overlap::<Narrow>(a, b)
     } else if span <= Middle::SPAN_MAX {
-        overlap::<Middle>(&a, &b)
+        overlap::<Middle>(a, b)
     } else {
-        overlap::<Full>(&a, &b)
+        overlap::<Full>(a, b)
     }
 }
 
@@ -80,12 +79,12 @@ fn raw(triangle: &Triangle) -> Corners {
     [a.raw(), b.raw(), c.raw()]
 }
 
-fn overlap<W: Width>(a: &Corners, b: &Corners) -> bool {
+fn overlap<W: Width>(a: &Triangle, b: &Triangle) -> bool {
     match relation::<W>(a, b) {
         Relation::Apart => false,
-        Relation::Flat => flat::overlap(a, b),
+        Relation::Flat => flat::overlap(&raw(a), &raw(b)),
         Relation::Across(orders) => {
-            let [a, b] = [ordered(a, orders[0]), ordered(b, orders[1])];
+            let (a, b) = (ordered(a, orders[0]), ordered(b, orders[1]));
             // Both triangles cross the line of the two planes. The interval of each begins where
             // the other's has not ended yet.
             let between = sub(b[0], a[0]);
@@ -109,7 +108,7 @@ enum Relation {
 }
 
 #[inline]
-fn relation<W: Width>(a: &Corners, b: &Corners) -> Relation {
+fn relation<W: Width>(a: &Triangle, b: &Triangle) -> Relation {
     let of_a = sides::<W>(a, b);
     if of_a.are_one() {
         return Relation::Apart;
@@ -126,8 +125,10 @@ fn relation<W: Width>(a: &Corners, b: &Corners) -> Relation {
 
 /// On which sides of the plane of `b` the corners of `a` are.
 #[inline]
-fn sides<W: Width>(a: &Corners, b: &Corners) -> Sides {
-    let normal = W::cross(sub(b[1], b[0]), sub(b[2], b[0]));
-    let side = |corner: [i64; 3]| W::sign(&normal, sub(corner, b[0]));
-    Sides::of([side(a[0]), side(a[1]), side(a[2])])
+fn sides<W: Width>(a: &Triangle, b: &Triangle) -> Sides {
+    let ([p, q, r], [s, t, u]) = (a.corners(), b.corners());
+    let origin = s.raw();
+    let normal = W::cross(sub(t.raw(), origin), sub(u.raw(), origin));
+    let side = |corner: &Vec3| W::sign(&normal, sub(corner.raw(), origin));
+    Sides::of([side(p), side(q), side(r)])
 }

@@ -1,6 +1,7 @@
 //! On which sides of a plane three corners are.
 
 use super::Corners;
+use crate::geometry::Triangle;
 
 /// The sides of three corners: a code of three digits to the base of 3.
 #[derive(Clone, Copy, Debug)]
@@ -94,7 +95,7 @@ pub(super) fn order(own: Sides, other: Sides) -> [u8; 3] {
 
 /// The corners in an order.
 #[inline]
-pub(super) fn ordered(corners: &Corners, order: [u8; 3]) -> Corners {
-    let [first, second, third] = order;
-    [corners[usize::from(first)], corners[usize::from(second)], corners[usize::from(third)]]
+pub(super) fn ordered(triangle: &Triangle, order: [u8; 3]) -> Corners {
+    let corner = |index: u8| triangle.corners()[usize::from(index)].raw();
+    [corner(order[0]), corner(order[1]), corner(order[2])]
 }
