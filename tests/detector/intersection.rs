@@ -232,6 +232,13 @@ fn triangles_have_in_common_what_clipping_leaves() {
     );
 }
 
+/// The middle corner of a segment lies inside of what is common, and its end is rounded past it.
+#[test]
+fn no_end_is_a_corner_inside() {
+    let a = [[0, 2, 0], [0, 1, 2], [0, 0, 1]];
+    check([a, [[0, 1, 1], [0, 2, 0], [0, 0, 2]]]);
+}
+
 /// `cargo test --release -- --ignored clipping`.
 #[test]
 #[ignore = "takes minutes"]

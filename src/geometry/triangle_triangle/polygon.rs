@@ -36,7 +36,15 @@ pub(super) fn intersection(a: &Corners, b: &Corners) -> Option<Intersection> {
         let through = (0..3).filter(|&edge| pierces(&pair, owner, edge));
         points.extend(through.map(|edge| pair.crossing(owner, [edge, (edge + 1) % 3])));
     }
-    points.along()
+    points.along([a, b].map(inside))
+}
+
+/// The corner strictly between the others, if the triangle is flat.
+fn inside(corners: &Corners) -> Option<u8> {
+    let mut order: [u8; 3] = [0, 1, 2];
+    order.sort_unstable_by_key(|&corner| corners[usize::from(corner)]);
+    let [first, middle, last] = order.map(|corner| corners[usize::from(corner)]);
+    (axis_of(corners).is_none() && first != middle && middle != last).then_some(order[1])
 }
 
 /// Whether the inside of an edge crosses that of the other triangle's face.
@@ -64,23 +72,29 @@ impl Points {
         self.all.iter().flatten().copied()
     }
 
-    /// What is common, when all points lie on one line.
-    fn along(&self) -> Option<Intersection> {
-        let first = self.iter().min()?;
-        let last = self.iter().max()?;
-        Some(if first.position == last.position {
-            Intersection::between(first, first)
-        } else {
-            // Of the points in one place, the first.
-            let last = self.iter().filter(|point| point.position == last.position).min()?;
-            Intersection::between(first, last)
-        })
+    /// What is common, when all points lie on one line. No end of it is a corner `inside`, unless
+    /// another point is there too: such a corner may be rounded past an end.
+    fn along(&self, inside: [Option<u8>; 2]) -> Option<Intersection> {
+        let is_inside = |point: &IntersectionPoint| {
+            let names = [point.on_a, point.on_b];
+            let is = |k: usize| inside[k].map(Feature::Vertex) == Some(names[k]);
+            let is_end = |k: usize| matches!(names[k], Feature::Vertex(_)) && !is(k);
+            (is(0) || is(1)) && !is_end(0) && !is_end(1)
+        };
+        let ends = || self.iter().filter(|point| !is_inside(point));
+        let places = || ends().map(|point| point.position);
+        // Of the points in one place, the first.
+        let first_at = |place| self.iter().filter(|point| point.position == place).min();
+        let (Some(first), Some(last)) = (places().min(), places().max()) else {
+            return self.iter().min().map(|point| Intersection::between(point, point));
+        };
+        Some(Intersection::between(first_at(first)?, first_at(last)?))
     }
 
     /// What is common to two triangles of one plane that are not flat: at most 6 points.
     fn around(&self) -> Option<Intersection> {
         if self.len <= 2 {
-            return self.along();
+            return self.along([None; 2]);
         }
         let mut ring = [self.iter().next()?; 6];
         let mut len = 1;
