@@ -99,7 +99,7 @@ fn triangles_meet_where_the_oracle_says() {
 
 /// 0 disagreements in 10^8 pairs: `cargo test --release -- --ignored oracle`.
 #[test]
-#[ignore = "takes minutes"]
+#[ignore = "takes a quarter of an hour in a release build"]
 fn triangles_meet_where_the_oracle_says_in_a_hundred_million_pairs() {
     for stream in 1..=10 {
         for (index, class) in (0..).zip(CLASSES) {
