@@ -32,6 +32,7 @@ pub use adjacency::{Adjacency, Edge, Hinge};
 pub use grid::Grid;
 pub use mesh::{MeshBuilder, MeshError, TriangleMesh};
 pub use predicates::{orient2d, orient3d};
+pub(crate) use triangle::is_in_range;
 pub use triangle::{Triangle, TriangleError};
 pub use triangle_triangle::{
     Feature, Intersection, IntersectionPoint, intersection_triangle_triangle,

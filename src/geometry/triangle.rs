@@ -89,7 +89,7 @@ impl Triangle {
 }
 
 /// Whether no coordinate is beyond [`Triangle::COORDINATE_MAX`].
-pub(super) fn is_in_range(position: Vec3) -> bool {
+pub(crate) fn is_in_range(position: Vec3) -> bool {
     let range = -Triangle::COORDINATE_MAX..=Triangle::COORDINATE_MAX;
     position.raw().iter().all(|c| range.contains(c))
 }

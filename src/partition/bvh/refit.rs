@@ -8,7 +8,7 @@ use super::build::LANES;
 use super::cell_box::CellBox;
 use super::cells::Cells;
 use super::volume::{Enclose, Volume};
-use crate::geometry::{Aabb, Triangle, TriangleError};
+use crate::geometry::{Aabb, Triangle, TriangleError, is_in_range};
 use crate::math::Vec3;
 
 /// Why vertices cannot be where they are said to be. Vertices and faces are counted from 0.
@@ -52,10 +52,8 @@ impl<V: Volume> Bvh<V> {
         if positions.len() != self.mesh.vertices().len() {
             return Err(RefitError::WrongLength);
         }
-        let range = -Triangle::COORDINATE_MAX..=Triangle::COORDINATE_MAX;
-        let is_in_range = |position: &Vec3| position.raw().iter().all(|c| range.contains(c));
-        if let Some((vertex, _)) = (0..).zip(positions).find(|(_, position)| !is_in_range(position))
-        {
+        let mut far = (0..).zip(positions).filter(|(_, position)| !is_in_range(**position));
+        if let Some((vertex, _)) = far.next() {
             return Err(RefitError::OutOfRange { vertex });
         }
         let span = Aabb::around(positions.iter().copied()).map_or(0, |bounds| bounds.span());
