@@ -58,8 +58,8 @@
 //! # Floors
 //!
 //! A module names only its own floor or lower ones: [`math`] and [`store`] (0), [`geometry`] (1),
-//! [`partition`] (2), [`particle`] (3), [`constraint`] (4), [`world`] (7), [`snapshot`] (8),
-//! `scene` (9), [`replay`] (10).
+//! [`partition`] (2), [`particle`] (3), [`constraint`] (4), [`collision`] (5), [`world`] (7),
+//! [`snapshot`] (8), `scene` (9), [`replay`] (10).
 #![cfg_attr(not(feature = "std"), no_std)]
 
 extern crate alloc;
@@ -69,6 +69,7 @@ extern crate alloc;
 compile_error!("verlock needs pointers of at least 32 bits");
 
 pub mod body;
+pub mod collision;
 pub mod constraint;
 pub mod geometry;
 pub mod math;

@@ -20,18 +20,28 @@
 
 mod aabb;
 mod adjacency;
+mod capsule;
+mod cuboid;
+mod error;
 mod grid;
+mod half_space;
 mod mesh;
 mod predicates;
+mod sphere;
 mod triangle;
 mod triangle_triangle;
 mod weld;
 
 pub use aabb::Aabb;
 pub use adjacency::{Adjacency, Edge, Hinge};
+pub use capsule::Capsule;
+pub use cuboid::Cuboid;
+pub use error::ShapeError;
 pub use grid::Grid;
+pub use half_space::HalfSpace;
 pub use mesh::{MeshBuilder, MeshError, TriangleMesh};
 pub use predicates::{orient2d, orient3d};
+pub use sphere::Sphere;
 pub(crate) use triangle::is_in_range;
 pub use triangle::{Triangle, TriangleError};
 pub use triangle_triangle::{

@@ -1,0 +1,12 @@
+//! Floor 5: where shapes touch. Shapes and where they are; no bodies, no velocity, no material.
+
+#![allow(
+    clippy::cast_possible_truncation,
+    reason = "counts and places are small; the bound stands beside each cast"
+)]
+
+mod feature;
+mod manifold;
+
+pub use feature::{FeatureId, FeatureKind};
+pub use manifold::{Contact, Manifold};

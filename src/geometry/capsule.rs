@@ -1,0 +1,55 @@
+//! All points near a segment.
+
+use super::sphere::check_radius;
+use super::triangle::is_in_range;
+use super::{Aabb, ShapeError, Triangle};
+use crate::math::{Real, Vec3};
+
+/// A ball swept along a segment, closed. Both ends may be one point: then it is a ball.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Capsule {
+    ends: [Vec3; 2],
+    radius: Real,
+}
+
+impl Capsule {
+    /// The capsule around the segment between `ends`, in metres.
+    ///
+    /// # Errors
+    /// [`ShapeError`] if an end is out of range, the segment spans more than
+    /// [`Triangle::SPAN_MAX`], or the radius is outside
+    /// 0..=[`Sphere::RADIUS_MAX`](super::Sphere::RADIUS_MAX).
+    pub fn new(ends: [Vec3; 2], radius: Real) -> Result<Self, ShapeError> {
+        if !ends.into_iter().all(is_in_range) {
+            return Err(ShapeError::OutOfRange("ends"));
+        }
+        if Aabb::new(ends[0], ends[1]).span() > Triangle::SPAN_MAX.unsigned_abs() {
+            return Err(ShapeError::TooLong);
+        }
+        check_radius(radius)?;
+        Ok(Self { ends, radius })
+    }
+
+    /// The ends of the segment, in metres: the centers of the caps.
+    #[inline]
+    #[must_use]
+    pub const fn ends(&self) -> [Vec3; 2] {
+        self.ends
+    }
+
+    /// In metres, 0 or more.
+    #[inline]
+    #[must_use]
+    pub const fn radius(&self) -> Real {
+        self.radius
+    }
+
+    /// The smallest box around it. Exact.
+    #[inline]
+    #[must_use]
+    pub fn bounds(&self) -> Aabb {
+        let reach = Vec3::new(self.radius, self.radius, self.radius);
+        let segment = Aabb::new(self.ends[0], self.ends[1]);
+        Aabb::new(segment.min() - reach, segment.max() + reach)
+    }
+}

@@ -1,0 +1,33 @@
+//! Why numbers are not a shape.
+
+use core::fmt;
+
+/// Why numbers are not a shape.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum ShapeError {
+    /// A coordinate is beyond [`Triangle::COORDINATE_MAX`](super::Triangle::COORDINATE_MAX).
+    OutOfRange(&'static str),
+    /// It spans more than [`Triangle::SPAN_MAX`](super::Triangle::SPAN_MAX) along an axis.
+    TooLong,
+    /// A radius is below 0.
+    NegativeRadius,
+    /// A normal is not of length 1.
+    NotUnit(&'static str),
+    /// It has no volume.
+    Flat,
+}
+
+impl fmt::Display for ShapeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfRange(field) => write!(f, "{field} is out of range"),
+            Self::TooLong => f.write_str("shape spans 131072 m or more"),
+            Self::NegativeRadius => f.write_str("radius is below 0"),
+            Self::NotUnit(field) => write!(f, "{field} is not of length 1"),
+            Self::Flat => f.write_str("shape has no volume"),
+        }
+    }
+}
+
+impl core::error::Error for ShapeError {}
