@@ -28,6 +28,8 @@ mod detector;
 mod draw;
 /// Every fixture scene as it was accepted; saved, moved and threaded meanwhile.
 mod golden;
+/// Convex hulls against looking at every plane; what fits around points.
+mod hull;
 /// Laws for random and for hostile worlds.
 mod laws;
 /// Numbers against big-integer oracles.

@@ -3,6 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
+use super::lists::Lists;
 use super::mesh::TriangleMesh;
 
 /// The edges of a mesh with their faces, and the neighbours of its vertices.
@@ -34,13 +35,6 @@ pub struct Hinge {
     pub ends: [u32; 2],
     /// The corners across from it, that of the lower face first.
     pub tips: [u32; 2],
-}
-
-/// Many lists in one: list k is `items[starts[k]..starts[k + 1]]`.
-#[derive(Clone, Debug)]
-struct Lists {
-    starts: Vec<u32>,
-    items: Vec<u32>,
 }
 
 impl<'a> Adjacency<'a> {
@@ -160,26 +154,5 @@ fn neighbours(edges: &[[u32; 2]], vertices: usize) -> Lists {
             *place += 1;
         }
     }
-    Lists { starts, items }
-}
-
-impl Lists {
-    fn new() -> Self {
-        Self { starts: vec![0], items: Vec::new() }
-    }
-
-    /// Adds a list behind the others; all together have fewer than 2^32 items.
-    #[expect(clippy::cast_possible_truncation, reason = "at most 3 FACES_MAX")]
-    fn push(&mut self, list: impl Iterator<Item = u32>) {
-        self.items.extend(list);
-        self.starts.push(self.items.len() as u32);
-    }
-
-    /// List `k`, empty if there is none.
-    fn get(&self, k: usize) -> &[u32] {
-        match self.starts.get(k..).unwrap_or_default() {
-            [start, end, ..] => &self.items[*start as usize..*end as usize],
-            _ => &[],
-        }
-    }
+    Lists::between(starts, items)
 }

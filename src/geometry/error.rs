@@ -16,6 +16,10 @@ pub enum ShapeError {
     NotUnit(&'static str),
     /// It has no volume.
     Flat,
+    /// It is turned inside out.
+    Mirrored,
+    /// There are too many points, or not as many as there should be.
+    WrongCount(&'static str),
 }
 
 impl fmt::Display for ShapeError {
@@ -26,6 +30,8 @@ impl fmt::Display for ShapeError {
             Self::NegativeRadius => f.write_str("radius is below 0"),
             Self::NotUnit(field) => write!(f, "{field} is not of length 1"),
             Self::Flat => f.write_str("shape has no volume"),
+            Self::Mirrored => f.write_str("shape is turned inside out"),
+            Self::WrongCount(field) => write!(f, "{field} has the wrong number of points"),
         }
     }
 }

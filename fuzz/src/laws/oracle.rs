@@ -34,7 +34,8 @@ where
 
 type Vector<T> = [T; 3];
 
-fn dot<T: Exact>(u: &Vector<T>, v: &Vector<T>) -> T {
+/// The dot product.
+pub fn dot<T: Exact>(u: &Vector<T>, v: &Vector<T>) -> T {
     let [x, y, z] = [0, 1, 2].map(|k| u[k].times(&v[k]));
     x.plus(&y).plus(&z)
 }
