@@ -46,6 +46,8 @@ mod relaxation;
 mod replay;
 /// Scene text: numbers, errors, every fixture.
 mod scene;
+/// Round shapes, boxes and half-spaces: their limits and bounds.
+mod shapes;
 /// Worlds as bytes: identity, damage, hostile contents, hashes, differences.
 mod snapshot;
 /// What is soft: springs, ropes, what tears, volumes, cloth in the wind.

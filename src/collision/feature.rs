@@ -9,7 +9,7 @@ use core::fmt;
 /// |---|---|---|---|
 /// | half-space, sphere | | | 0: its surface |
 /// | capsule | 0, 1: its ends | 0: between them | |
-/// | box | 0..8: bit k tells the end of edge k | 0..12 | 0..6: `2 k` against edge k, `2 k + 1` along |
+/// | box | 0..8: bit k is the end of edge k | 0..12 | 0..6: `2 k` against edge k, `2 k + 1` along |
 /// | hull, mesh, height field | as listed there | as listed there | as listed there |
 /// | triangle | 0..3 | 0..3: from corner k to the next | 0 |
 ///
@@ -34,7 +34,7 @@ impl FeatureId {
     pub const INDEX_MAX: u32 = (1 << Self::INDEX_BITS) - 1;
     const INDEX_BITS: u32 = 30;
 
-    /// Vertex `index`, at most [`INDEX_MAX`](Self::INDEX_MAX), as are the others'; what is beyond is
+    /// Vertex `index`, at most [`INDEX_MAX`](Self::INDEX_MAX) as for all kinds: what is beyond is
     /// cut, which debug builds refuse.
     #[inline]
     #[must_use]
