@@ -52,5 +52,7 @@ mod shapes;
 mod snapshot;
 /// What is soft: springs, ropes, what tears, volumes, cloth in the wind.
 mod soft;
+/// Meshes and height fields that touch.
+mod surface;
 /// The shape of the tree: floors, lengths, papers that tell the truth.
 mod tidy;

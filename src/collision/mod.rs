@@ -7,6 +7,8 @@
 
 mod feature;
 mod manifold;
+mod surface;
 
 pub use feature::{FeatureId, FeatureKind};
 pub use manifold::{Contact, Manifold};
+pub use surface::MeshShape;

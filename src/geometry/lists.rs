@@ -7,33 +7,33 @@ use alloc::vec::Vec;
 ///
 /// All together have fewer than 2^32 items, which those who make them prove.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Lists {
+pub(crate) struct Lists {
     starts: Vec<u32>,
     items: Vec<u32>,
 }
 
 impl Lists {
     /// No list.
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { starts: vec![0], items: Vec::new() }
     }
 
     /// Lists that begin where `starts` says: one more number than there are lists, ascending from
     /// 0 to the number of items.
-    pub(super) fn between(starts: Vec<u32>, items: Vec<u32>) -> Self {
+    pub(crate) fn between(starts: Vec<u32>, items: Vec<u32>) -> Self {
         Self { starts, items }
     }
 
     /// Adds a list behind the others.
     #[expect(clippy::cast_possible_truncation, reason = "fewer than 2^32 items")]
-    pub(super) fn push(&mut self, list: impl IntoIterator<Item = u32>) {
+    pub(crate) fn push(&mut self, list: impl IntoIterator<Item = u32>) {
         self.items.extend(list);
         self.starts.push(self.items.len() as u32);
     }
 
     /// List `k`, empty if there is none.
     #[inline]
-    pub(super) fn get(&self, k: usize) -> &[u32] {
+    pub(crate) fn get(&self, k: usize) -> &[u32] {
         match self.starts.get(k..).unwrap_or_default() {
             [start, end, ..] => &self.items[*start as usize..*end as usize],
             _ => &[],
@@ -42,12 +42,12 @@ impl Lists {
 
     /// How many lists there are.
     #[inline]
-    pub(super) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.starts.len() - 1
     }
 
     /// The lists, in order.
-    pub(super) fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+    pub(crate) fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
         self.starts.windows(2).map(|ends| &self.items[ends[0] as usize..ends[1] as usize])
     }
 }
