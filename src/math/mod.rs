@@ -31,6 +31,7 @@ mod decimal;
 pub(crate) mod determinant;
 mod float;
 mod fraction;
+pub(crate) mod int256;
 mod real;
 mod rng;
 pub mod root;
