@@ -16,6 +16,8 @@ mod support;
 
 /// Hierarchies of volumes over meshes.
 mod bvh;
+/// Nearest points against rational numbers.
+mod closest;
 /// Bodies of meshes: cloth, ropes and plants.
 mod cloth;
 /// What each command does and what it is refused for.

@@ -21,6 +21,7 @@
 mod aabb;
 mod adjacency;
 mod capsule;
+mod closest;
 mod cuboid;
 mod error;
 mod grid;
@@ -30,6 +31,7 @@ mod hull;
 mod lists;
 mod mesh;
 mod predicates;
+mod segment;
 mod sphere;
 mod surface;
 mod triangle;
@@ -39,6 +41,10 @@ mod weld;
 pub use aabb::Aabb;
 pub use adjacency::{Adjacency, Edge, Hinge};
 pub use capsule::Capsule;
+pub use closest::{
+    ClosestPoint, closest_point_segment, closest_point_triangle, closest_segment_segment,
+    normal_point_segment, normal_point_triangle, normal_segment_segment,
+};
 pub use cuboid::Cuboid;
 pub use error::ShapeError;
 pub use grid::Grid;
@@ -48,6 +54,7 @@ pub use hull::{ConvexHull, HullEdge, HullTopology};
 pub(crate) use lists::Lists;
 pub use mesh::{MeshBuilder, MeshError, TriangleMesh};
 pub use predicates::{orient2d, orient3d};
+pub use segment::Segment;
 pub use sphere::Sphere;
 pub use surface::Surface;
 pub(crate) use triangle::is_in_range;

@@ -1,0 +1,111 @@
+//! Directions between nearest points: from exact vectors, not from the rounded points.
+
+use super::width::{Area, Narrow, Wide, Width, is_narrow};
+use crate::geometry::{Feature, Segment, Triangle};
+use crate::math::{UnitVec3, Vec3};
+
+/// The direction from a point to a segment, given the feature of its
+/// [closest point](super::closest_point_segment); `None` if the point lies on it. O(1).
+///
+/// As exact as a unit vector is, however near the point may be.
+#[must_use]
+pub fn normal_point_segment(point: Vec3, segment: &Segment, on: Feature) -> Option<UnitVec3> {
+    let ends = segment.ends();
+    if is_narrow([point, ends[0], ends[1]]) {
+        to_segment::<Narrow>(point, ends, on)
+    } else {
+        to_segment::<Wide>(point, ends, on)
+    }
+}
+
+/// The direction from a point to a triangle, given the feature of its
+/// [closest point](super::closest_point_triangle); `None` if the point lies on it. O(1).
+///
+/// As exact as a unit vector is, however near the point may be: to a face it is the normal of the
+/// face, or the opposite one.
+#[must_use]
+pub fn normal_point_triangle(point: Vec3, triangle: &Triangle, on: Feature) -> Option<UnitVec3> {
+    if let Feature::Edge(edge) = on {
+        return normal_point_segment(point, &triangle.edge(edge), Feature::Edge(0));
+    }
+    let corners = triangle.corners();
+    if is_narrow([point, corners[0], corners[1], corners[2]]) {
+        to_triangle::<Narrow>(point, corners, on)
+    } else {
+        to_triangle::<Wide>(point, corners, on)
+    }
+}
+
+/// The direction from one segment to another, given the features of their
+/// [closest points](super::closest_segment_segment); `None` if they meet. O(1).
+///
+/// As exact as a unit vector is, however near they may be.
+#[must_use]
+pub fn normal_segment_segment(a: &Segment, b: &Segment, on: [Feature; 2]) -> Option<UnitVec3> {
+    let (ends_a, ends_b) = (a.ends(), b.ends());
+    match on {
+        [Feature::Vertex(end), on_b] => normal_point_segment(ends_a[place(end)], b, on_b),
+        [on_a, Feature::Vertex(end)] => {
+            normal_point_segment(ends_b[place(end)], a, on_a).map(|normal| -normal)
+        }
+        _ if is_narrow([ends_a[0], ends_a[1], ends_b[0], ends_b[1]]) => {
+            between_edges::<Narrow>(ends_a, ends_b)
+        }
+        _ => between_edges::<Wide>(ends_a, ends_b),
+    }
+}
+
+/// The end of that number, the last one for all that are higher.
+fn place(end: u8) -> usize {
+    usize::from(end.min(1))
+}
+
+fn to_segment<W: Width>(point: Vec3, ends: [Vec3; 2], on: Feature) -> Option<UnitVec3> {
+    if let Feature::Vertex(end) = on {
+        return to_point::<W>(point, ends[place(end)]);
+    }
+    across::<W>(W::difference(ends[1], ends[0]), W::difference(ends[0], point))
+}
+
+fn to_triangle<W: Width>(point: Vec3, corners: &[Vec3; 3], on: Feature) -> Option<UnitVec3> {
+    if let Feature::Vertex(corner) = on {
+        return to_point::<W>(point, corners[usize::from(corner.min(2))]);
+    }
+    let [e, f] = [1, 2].map(|end| W::difference(corners[end], corners[0]));
+    towards::<W>(W::cross(e, f), W::difference(corners[0], point))
+}
+
+fn between_edges<W: Width>(a: [Vec3; 2], b: [Vec3; 2]) -> Option<UnitVec3> {
+    let [u, v] = [a, b].map(|[from, to]| W::difference(to, from));
+    let normal = W::cross(u, v);
+    let way = W::difference(b[0], a[0]);
+    if normal == [W::Dot::default(); 3] { across::<W>(u, way) } else { towards::<W>(normal, way) }
+}
+
+fn to_point<W: Width>(from: Vec3, to: Vec3) -> Option<UnitVec3> {
+    W::Area::direction(W::difference(to, from).map(|side| W::widen(W::raise(side))))
+}
+
+/// The part of a way that is at right angles to an edge: `way (e . e) - e (e . way)`.
+fn across<W: Width>(edge: [W::Side; 3], way: [W::Side; 3]) -> Option<UnitVec3> {
+    let (whole, along) = (W::dot(edge, edge), W::dot(edge, way));
+    W::Area::direction([0, 1, 2].map(|k| {
+        let [way, edge] = [way[k], edge[k]].map(W::raise);
+        W::minor(way, whole, edge, along)
+    }))
+}
+
+/// A normal, or the opposite one, whichever goes with a way; none across it.
+fn towards<W: Width>(normal: [W::Dot; 3], way: [W::Side; 3]) -> Option<UnitVec3> {
+    let zero = W::Dot::default();
+    let sum = [0, 1, 2]
+        .map(|k| W::minor(normal[k], W::raise(way[k]), zero, zero))
+        .into_iter()
+        .fold(W::Area::default(), W::Area::plus);
+    let direction = W::Area::direction(normal.map(W::widen))?;
+    match sum.cmp(&W::Area::default()) {
+        core::cmp::Ordering::Less => Some(-direction),
+        core::cmp::Ordering::Equal => None,
+        core::cmp::Ordering::Greater => Some(direction),
+    }
+}
