@@ -7,8 +7,10 @@
 
 mod feature;
 mod manifold;
+mod shape;
 mod surface;
 
 pub use feature::{FeatureId, FeatureKind};
 pub use manifold::{Contact, Manifold};
+pub use shape::Shape;
 pub use surface::MeshShape;
