@@ -1,9 +1,12 @@
 //! What can collide.
 
-use crate::geometry::{Aabb, Capsule, Cuboid, HalfSpace, Sphere, Triangle};
+use super::MeshShape;
+use crate::geometry::{
+    Aabb, Capsule, ConvexHull, Cuboid, HalfSpace, HeightField, Sphere, Surface, Triangle,
+};
 
 /// A shape where it is. Whatever carries it, moves its points.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Shape {
     /// Everything behind a plane.
@@ -14,6 +17,12 @@ pub enum Shape {
     Capsule(Capsule),
     /// A box, in any position.
     Cuboid(Cuboid),
+    /// A convex polyhedron.
+    ConvexHull(ConvexHull),
+    /// Triangles that share vertices.
+    MeshShape(MeshShape),
+    /// Heights over a grid.
+    HeightField(HeightField),
     /// A triangle, of both sides.
     Triangle(Triangle),
 }
@@ -27,6 +36,9 @@ impl Shape {
             Self::Sphere(sphere) => Some(sphere.bounds()),
             Self::Capsule(capsule) => Some(capsule.bounds()),
             Self::Cuboid(cuboid) => Some(cuboid.bounds()),
+            Self::ConvexHull(hull) => Some(hull.bounds()),
+            Self::MeshShape(mesh) => Some(mesh.bounds()),
+            Self::HeightField(field) => Some(field.bounds()),
             Self::Triangle(triangle) => Some(triangle.bounds()),
         }
     }
@@ -44,4 +56,4 @@ macro_rules! from_shape {
     };
 }
 
-from_shape!(HalfSpace, Sphere, Capsule, Cuboid, Triangle);
+from_shape!(HalfSpace, Sphere, Capsule, Cuboid, ConvexHull, MeshShape, HeightField, Triangle);
