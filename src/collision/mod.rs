@@ -5,11 +5,16 @@
     reason = "counts and places are small; the bound stands beside each cast"
 )]
 
+mod convex;
 mod feature;
+mod few;
 mod manifold;
+mod patch;
 mod shape;
 mod surface;
+mod width;
 
+pub use convex::manifold_cuboid_cuboid;
 pub use feature::{FeatureId, FeatureKind};
 pub use manifold::{Contact, Manifold};
 pub use shape::Shape;

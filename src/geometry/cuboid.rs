@@ -3,7 +3,7 @@
 use super::triangle::is_in_range;
 use super::{Aabb, ShapeError, Triangle};
 use crate::math::determinant::{cross, dot};
-use crate::math::{Real, Vec3};
+use crate::math::{Real, UnitVec3, Vec3};
 
 /// A box: a center and half of each of its three edges, closed.
 ///
@@ -13,6 +13,8 @@ use crate::math::{Real, Vec3};
 pub struct Cuboid {
     center: Vec3,
     half_edges: [Vec3; 3],
+    normals: [UnitVec3; 3],
+    is_mirrored: bool,
 }
 
 impl Cuboid {
@@ -28,7 +30,7 @@ impl Cuboid {
             return Err(ShapeError::TooLong);
         }
         // Half-edges are at most 2^40 - 1 from here on: nothing overflows.
-        let cuboid = Self { center, half_edges };
+        let mut cuboid = Self { center, half_edges, normals: [UnitVec3::Y; 3], is_mirrored: false };
         let in_range = is_in_range(center) && {
             let bounds = cuboid.bounds();
             is_in_range(bounds.min()) && is_in_range(bounds.max())
@@ -36,8 +38,17 @@ impl Cuboid {
         if !in_range {
             return Err(ShapeError::OutOfRange("center"));
         }
-        if dot(&cross(edges[0], edges[1]), edges[2]) == 0 {
+        let [x, y, z] = edges;
+        let crosses = [cross(y, z), cross(z, x), cross(x, y)];
+        let volume = dot(&crosses[2], z);
+        if volume == 0 {
             return Err(ShapeError::Flat);
+        }
+        cuboid.is_mirrored = volume < 0;
+        for (normal, cross) in cuboid.normals.iter_mut().zip(crosses) {
+            // None of them is 0, or the volume would be.
+            let right = UnitVec3::normalize_wide(cross).unwrap_or(UnitVec3::Y);
+            *normal = if cuboid.is_mirrored { -right } else { right };
         }
         Ok(cuboid)
     }
@@ -65,6 +76,20 @@ impl Cuboid {
     #[must_use]
     pub const fn half_edges(&self) -> [Vec3; 3] {
         self.half_edges
+    }
+
+    /// At right angles to the sides against the half-edges, each along its half-edge.
+    #[inline]
+    #[must_use]
+    pub const fn normals(&self) -> [UnitVec3; 3] {
+        self.normals
+    }
+
+    /// Whether the half-edges are left-handed.
+    #[inline]
+    #[must_use]
+    pub const fn is_mirrored(&self) -> bool {
+        self.is_mirrored
     }
 
     /// Its eight corners: bit k of a corner's place says on which end of edge k it is, 0 for the

@@ -7,13 +7,15 @@ mod boxes;
 mod clock;
 mod cloth;
 mod guigue;
+mod manifolds;
 mod meshes;
 mod triangles;
 
 /// What is measured, by name.
-const ALL: [(&str, fn()); 4] = [
+const ALL: [(&str, fn()); 5] = [
     ("boxes", boxes::run),
     ("cloth", cloth::run),
+    ("manifolds", manifolds::run),
     ("meshes", meshes::run),
     ("triangles", triangles::run),
 ];

@@ -1,0 +1,225 @@
+//! Two boxes: separating axes, then clipping.
+
+use super::pair::Pair;
+use crate::collision::few::Few;
+use crate::collision::patch::{Corner, Outline, TIE, patch};
+use crate::collision::width::{Narrow, Wide, Width};
+use crate::collision::{FeatureId, Manifold};
+use crate::geometry::Cuboid;
+use crate::math::wide::{add, sub};
+use crate::math::{Real, UnitVec3};
+
+/// Where two boxes touch, or are at most `margin` apart; `None` where they are farther. O(1).
+///
+/// The normal is the axis along which they overlap least, of the faces and of all pairs of edges
+/// (Gottschalk, Lin and Manocha, *OBBTree*, 1996); those of faces come first where they are nearly
+/// as good, A's before B's. Boxes may be sheared. Of boxes that are apart near corners only, the
+/// separation is less than the distance.
+///
+/// A margin counts from 0 to 16,384 m.
+///
+/// ```
+/// use verlock::{Real, Vec3, real};
+/// use verlock::collision::manifold_cuboid_cuboid;
+/// use verlock::geometry::Cuboid;
+///
+/// let floor = Cuboid::upright(Vec3::ZERO, Vec3::ONE)?;
+/// let crate_on_it = Cuboid::upright(Vec3::Y * real!("1.5"), Vec3::ONE * real!("0.5"))?;
+/// let manifold = manifold_cuboid_cuboid(&floor, &crate_on_it, Real::ZERO).expect("they touch");
+/// assert_eq!(manifold.contacts().len(), 4);
+/// assert_eq!(manifold.separation(), Real::ZERO);
+/// # Ok::<(), verlock::geometry::ShapeError>(())
+/// ```
+#[must_use]
+pub fn manifold_cuboid_cuboid(a: &Cuboid, b: &Cuboid, margin: Real) -> Option<Manifold> {
+    let pair = Pair::new(&a.bounds(), &b.bounds(), margin)?;
+    if pair.is_narrow { manifold::<Narrow>(a, b, &pair) } else { manifold::<Wide>(a, b, &pair) }
+}
+
+fn manifold<W: Width>(a: &Cuboid, b: &Cuboid, pair: &Pair) -> Option<Manifold> {
+    let (a, b) = (Posed::new(a, pair), Posed::new(b, pair));
+    let way = sub(b.center, a.center);
+    let of_a = a.best_face::<W>(&b, way, pair.margin)?;
+    let of_b = b.best_face::<W>(&a, way, pair.margin)?;
+    let best = of_a.separation.max(of_b.separation);
+    match best_edges::<W>([&a, &b], way, best + TIE, pair.margin) {
+        Edges::Apart => None,
+        Edges::Best(normal, [i, j]) => {
+            let outlines = [a.facing::<W>(normal, i), b.facing::<W>(-normal, j)];
+            let touches = patch::<W>(normal, outlines.each_ref(), pair.margin);
+            pair.manifold(normal, &touches)
+        }
+        Edges::Worse if of_b.separation > of_a.separation + TIE => {
+            let outlines = [b.face(of_b.axis, of_b.is_against), a.facing::<W>(of_b.normal, 3)];
+            let touches = patch::<W>(-of_b.normal, outlines.each_ref(), pair.margin);
+            let touches: Few<_, 4> = touches.iter().map(|touch| touch.flipped()).collect();
+            pair.manifold(of_b.normal, &touches)
+        }
+        Edges::Worse => {
+            let outlines = [a.face(of_a.axis, !of_a.is_against), b.facing::<W>(-of_a.normal, 3)];
+            let touches = patch::<W>(of_a.normal, outlines.each_ref(), pair.margin);
+            pair.manifold(of_a.normal, &touches)
+        }
+    }
+}
+
+/// A box, from the origin of the pair.
+struct Posed {
+    center: [i64; 3],
+    /// Halves of them.
+    edges: [[i64; 3]; 3],
+    /// Each along its edge.
+    normals: [UnitVec3; 3],
+    /// Whether the edges are left-handed.
+    is_mirrored: bool,
+}
+
+/// An axis of a face.
+struct Face {
+    separation: i64,
+    axis: usize,
+    /// Whether the normal points against the axis.
+    is_against: bool,
+    /// From A to B.
+    normal: UnitVec3,
+}
+
+/// What the pairs of edges say.
+enum Edges {
+    /// There is an axis along which the boxes are farther apart than the margin.
+    Apart,
+    /// None is better than the faces.
+    Worse,
+    /// The best axis, from A to B, and the edges that it is at right angles to.
+    Best(UnitVec3, [usize; 2]),
+}
+
+impl Posed {
+    fn new(cuboid: &Cuboid, pair: &Pair) -> Self {
+        Self {
+            center: pair.local(cuboid.center()),
+            edges: cuboid.half_edges().map(|edge| edge.raw()),
+            normals: cuboid.normals(),
+            is_mirrored: cuboid.is_mirrored(),
+        }
+    }
+
+    /// How far it reaches from its center.
+    #[inline]
+    fn reach<W: Width>(&self, direction: UnitVec3) -> W::Reach {
+        let [x, y, z] = self.edges.map(|edge| magnitude(W::along(direction, edge)));
+        x + y + z
+    }
+
+    /// The best of its faces' axes; none if one tells the boxes apart. `way` is from A to B.
+    #[inline]
+    fn best_face<W: Width>(&self, other: &Self, way: [i64; 3], margin: i64) -> Option<Face> {
+        let mut best: Option<Face> = None;
+        for (axis, &normal) in self.normals.iter().enumerate() {
+            let along = W::along(normal, way);
+            let reach = self.reach::<W>(normal) + other.reach::<W>(normal);
+            let separation = W::round(magnitude(along) - reach);
+            if separation > margin {
+                return None;
+            }
+            if best.as_ref().is_none_or(|best| separation > best.separation) {
+                let is_against = along < W::Reach::default();
+                let normal = if is_against { -normal } else { normal };
+                best = Some(Face { separation, axis, is_against, normal });
+            }
+        }
+        best
+    }
+
+    /// The face at the farthest corner along `direction` that looks that way most; not the ends of
+    /// edges `along` that axis.
+    fn facing<W: Width>(&self, direction: UnitVec3, along: usize) -> Outline {
+        let zero = W::Reach::default();
+        let mut best: Option<(i64, usize, bool)> = None;
+        for axis in (0..3).filter(|&axis| axis != along) {
+            let is_against = W::along(direction, self.edges[axis]) < zero;
+            let [n, m] = [self.normals[axis].raw(), direction.raw()];
+            // Two unit vectors: at most 2^60 and a little.
+            let cosine = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];
+            let cosine = if is_against { -cosine } else { cosine };
+            if best.is_none_or(|(most, ..)| cosine > most) {
+                best = Some((cosine, axis, !is_against));
+            }
+        }
+        let (_, axis, is_along) = best.unwrap_or((0, 0, true));
+        self.face(axis, is_along)
+    }
+
+    /// The face at the end of an edge, or against it.
+    fn face(&self, axis: usize, is_along: bool) -> Outline {
+        let (u, v) = (NEXT[axis], NEXT[NEXT[axis]]);
+        let (u, v) = if is_along == self.is_mirrored { (v, u) } else { (u, v) };
+        let at = |corner: usize| {
+            (0..3).fold(self.center, |at, k| {
+                let edge = self.edges[k];
+                if corner >> k & 1 == 1 { add(at, edge) } else { sub(at, edge) }
+            })
+        };
+        let end = usize::from(is_along);
+        let corner = |[along_u, along_v]: [usize; 2], side: usize| {
+            let corner = end << axis | along_u << u | along_v << v;
+            // At most 8 corners and 12 edges.
+            Corner { at: at(corner), vertex: corner as u32, edge: edge(corner, side) }
+        };
+        let corners = [corner([0, 0], u), corner([1, 0], v), corner([1, 1], u), corner([0, 1], v)];
+        let normal = if is_along { self.normals[axis] } else { -self.normals[axis] };
+        Outline {
+            face: FeatureId::face((2 * axis + end) as u32),
+            normal,
+            corners: corners.into_iter().collect(),
+        }
+    }
+}
+
+/// The axis after another.
+const NEXT: [usize; 3] = [1, 2, 0];
+
+/// The edge along an axis at a corner, as [`FeatureId`] numbers them.
+fn edge(corner: usize, axis: usize) -> u32 {
+    let (u, v) = (NEXT[axis], NEXT[NEXT[axis]]);
+    (4 * axis | corner >> u & 1 | (corner >> v & 1) << 1) as u32
+}
+
+fn magnitude<R: Ord + Copy + core::ops::Neg<Output = R>>(reach: R) -> R {
+    reach.max(-reach)
+}
+
+/// The best axis at right angles to an edge of each that separates by more than `least`.
+fn best_edges<W: Width>([a, b]: [&Posed; 2], way: [i64; 3], mut least: i64, margin: i64) -> Edges {
+    let mut best = Edges::Worse;
+    for i in 0..3 {
+        for j in 0..3 {
+            let cross = W::cross(a.edges[i], b.edges[j]);
+            let along = |d| W::volume(cross, d);
+            let way_along = along(way);
+            let (u, v) = (NEXT[i], NEXT[NEXT[i]]);
+            let of_a = along(a.edges[u]).abs() + along(a.edges[v]).abs();
+            let (u, v) = (NEXT[j], NEXT[NEXT[j]]);
+            let of_b = along(b.edges[u]).abs() + along(b.edges[v]).abs();
+            // The separation times the length of the axis. Below 2^126, see `Wide`: half-edges are
+            // below 2^40, which makes minors below 2^81.
+            let gap = way_along.abs() - of_a - of_b;
+            // Most axes need no root: `gap / length <= gap / length_max` where they overlap.
+            if gap <= i128::from(least.min(0)) * W::length_max(cross) {
+                continue;
+            }
+            let Some(normal) = W::normalize(cross) else { continue };
+            let normal = if way_along < 0 { -normal } else { normal };
+            let reach = a.reach::<W>(normal) + b.reach::<W>(normal);
+            let separation = W::round(W::along(normal, way) - reach);
+            if separation > margin {
+                return Edges::Apart;
+            }
+            if separation > least {
+                least = separation;
+                best = Edges::Best(normal, [i, j]);
+            }
+        }
+    }
+    best
+}

@@ -1,0 +1,55 @@
+//! Two shapes that are near one another.
+
+use super::MARGIN_MAX;
+use crate::collision::Manifold;
+use crate::collision::patch::Touch;
+use crate::collision::width::Narrow;
+use crate::geometry::Aabb;
+use crate::math::wide::sub;
+use crate::math::{Real, UnitVec3, Vec3};
+
+/// Where a pair is, and how large.
+pub(super) struct Pair {
+    /// What positions are measured from: a point of the box around both.
+    origin: [i64; 3],
+    /// Whether [`Narrow`] numbers do.
+    pub(super) is_narrow: bool,
+    /// Raw.
+    pub(super) margin: i64,
+}
+
+impl Pair {
+    /// None if their boxes are farther apart than the margin. Boxes span less than 2^41.
+    #[inline]
+    pub(super) fn new(a: &Aabb, b: &Aabb, margin: Real) -> Option<Self> {
+        let margin = margin.raw().clamp(0, MARGIN_MAX.raw());
+        let [min_a, max_a, min_b, max_b] = [a.min(), a.max(), b.min(), b.max()].map(Vec3::raw);
+        let mut span = 0;
+        for k in 0..3 {
+            // Coordinates are at most 2^60.
+            if (min_b[k] - max_a[k]).max(min_a[k] - max_b[k]) > margin {
+                return None;
+            }
+            span = (max_a[k].max(max_b[k]) - min_a[k].min(min_b[k])).max(span);
+        }
+        let is_narrow = span + margin <= Narrow::SPAN_MAX;
+        Some(Self { origin: min_a, is_narrow, margin })
+    }
+
+    /// A point of either shape, from the origin.
+    #[inline]
+    pub(super) fn local(&self, point: Vec3) -> [i64; 3] {
+        sub(point.raw(), self.origin)
+    }
+
+    /// The manifold of some touches, at most four.
+    #[inline]
+    pub(super) fn manifold(&self, normal: UnitVec3, touches: &[Touch]) -> Option<Manifold> {
+        let mut contacts = [Touch::default().contact([0; 3]); Manifold::CONTACTS_MAX];
+        let used = contacts.get_mut(..touches.len())?;
+        for (contact, touch) in used.iter_mut().zip(touches) {
+            *contact = touch.contact(self.origin);
+        }
+        Manifold::new(normal, [0; 2], used)
+    }
+}

@@ -1,0 +1,50 @@
+//! Lists that are short almost always.
+
+use alloc::vec::Vec;
+use core::ops::Deref;
+
+/// A list that needs no allocation up to `N` items.
+#[derive(Clone, Debug)]
+pub(super) struct Few<T, const N: usize> {
+    near: [T; N],
+    len: usize,
+    /// All items, once there are more than `N`.
+    far: Vec<T>,
+}
+
+impl<T: Copy + Default, const N: usize> Few<T, N> {
+    #[inline]
+    pub(super) fn new() -> Self {
+        Self { near: [T::default(); N], len: 0, far: Vec::new() }
+    }
+
+    #[inline]
+    pub(super) fn push(&mut self, item: T) {
+        if let Some(place) = self.near.get_mut(self.len) {
+            *place = item;
+            self.len += 1;
+            return;
+        }
+        if self.far.is_empty() {
+            self.far.extend_from_slice(&self.near);
+        }
+        self.far.push(item);
+    }
+}
+
+impl<T, const N: usize> Deref for Few<T, N> {
+    type Target = [T];
+    #[inline]
+    fn deref(&self) -> &[T] {
+        if self.far.is_empty() { &self.near[..self.len] } else { &self.far }
+    }
+}
+
+impl<T: Copy + Default, const N: usize> FromIterator<T> for Few<T, N> {
+    #[inline]
+    fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
+        let mut few = Self::new();
+        items.into_iter().for_each(|item| few.push(item));
+        few
+    }
+}

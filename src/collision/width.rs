@@ -1,0 +1,151 @@
+//! How wide the products of a pair of shapes are.
+
+use core::ops::{Add, Neg, Sub};
+
+use crate::math::wide::{
+    NARROW_MAX, dot_narrow, dot_wide, round_div, round_div_wide, round_shift, round_shift_wide,
+    to_i64,
+};
+use crate::math::{UnitVec3, Vec3, determinant};
+
+/// Products of differences of points of two shapes that are near one another.
+///
+/// Let `S` be the longest edge of the box around both, grown by the margin: no difference is longer
+/// along an axis. All products and sums are exact whatever the width, so both widths give the same
+/// bits; the narrow one is quicker.
+pub(super) trait Width {
+    /// How far something reaches along a direction, times 2^30.
+    type Reach: Copy
+        + Ord
+        + Default
+        + Add<Output = Self::Reach>
+        + Sub<Output = Self::Reach>
+        + Neg<Output = Self::Reach>;
+    /// A component of a cross product.
+    type Minor: Copy;
+
+    /// The dot product of a direction and a difference.
+    fn along(direction: UnitVec3, d: [i64; 3]) -> Self::Reach;
+
+    /// A reach in raw units.
+    fn round(reach: Self::Reach) -> i64;
+
+    /// How long a way is that reaches as far, in raw units; the cosine of its angle, times 2^30,
+    /// is above 0.
+    fn slant(reach: Self::Reach, cosine: i64) -> i64;
+
+    /// The cross product of two differences, or of a direction and a difference.
+    fn cross(u: [i64; 3], v: [i64; 3]) -> [Self::Minor; 3];
+
+    /// The direction of a cross product; none of 0.
+    fn normalize(cross: [Self::Minor; 3]) -> Option<UnitVec3>;
+
+    /// The sum of the magnitudes of a cross product: at least its length.
+    fn length_max(cross: [Self::Minor; 3]) -> i128;
+
+    /// The dot product of a cross product and a difference.
+    fn volume(cross: [Self::Minor; 3], d: [i64; 3]) -> i128;
+
+    /// `direction * length`, in raw units.
+    fn step(direction: UnitVec3, length: i64) -> [i64; 3];
+}
+
+/// For `S <= 2^30` (64 m). Directions are at most 2^30 by components, as differences are: reaches
+/// are at most `3 * 2^60`, minors `2^61`, volumes `3 * 2^91`.
+pub(super) enum Narrow {}
+
+/// For `S < 2^42 + 2^38`, two shapes of less than 2^41 and [`MARGIN_MAX`](super::MARGIN_MAX):
+/// reaches are below 2^74. Edges are shorter than 2^41, so minors are below 2^83 and volumes, three
+/// products of one and a difference, below 2^127.
+pub(super) enum Wide {}
+
+impl Narrow {
+    /// The greatest `S`.
+    pub(super) const SPAN_MAX: i64 = NARROW_MAX;
+}
+
+impl Width for Narrow {
+    type Reach = i64;
+    type Minor = i64;
+
+    #[inline]
+    fn along(direction: UnitVec3, d: [i64; 3]) -> i64 {
+        dot_narrow(direction.raw(), d)
+    }
+
+    #[inline]
+    fn round(reach: i64) -> i64 {
+        round_shift(reach, 30)
+    }
+
+    #[inline]
+    fn slant(reach: i64, cosine: i64) -> i64 {
+        round_div(reach, cosine)
+    }
+
+    #[inline]
+    fn cross(u: [i64; 3], v: [i64; 3]) -> [i64; 3] {
+        let minor = |j: usize, k: usize| u[j] * v[k] - u[k] * v[j];
+        [minor(1, 2), minor(2, 0), minor(0, 1)]
+    }
+
+    #[inline]
+    fn normalize(cross: [i64; 3]) -> Option<UnitVec3> {
+        UnitVec3::normalize(Vec3::from_raw(cross))
+    }
+
+    #[inline]
+    fn length_max(cross: [i64; 3]) -> i128 {
+        // At most 3 * 2^61.
+        i128::from(cross[0].abs() + cross[1].abs() + cross[2].abs())
+    }
+
+    #[inline]
+    fn volume(cross: [i64; 3], d: [i64; 3]) -> i128 {
+        dot_wide(cross, d)
+    }
+
+    #[inline]
+    fn step(direction: UnitVec3, length: i64) -> [i64; 3] {
+        direction.raw().map(|c| round_shift(c * length, 30))
+    }
+}
+
+impl Width for Wide {
+    type Reach = i128;
+    type Minor = i128;
+
+    fn along(direction: UnitVec3, d: [i64; 3]) -> i128 {
+        dot_wide(direction.raw(), d)
+    }
+
+    fn round(reach: i128) -> i64 {
+        to_i64(round_shift_wide(reach, 30))
+    }
+
+    fn slant(reach: i128, cosine: i64) -> i64 {
+        // What is so steep that it does not fit is beyond every margin.
+        let length = round_div_wide(reach, cosine.into());
+        length.clamp(i64::MIN.into(), i64::MAX.into()) as i64
+    }
+
+    fn cross(u: [i64; 3], v: [i64; 3]) -> [i128; 3] {
+        determinant::cross(u, v)
+    }
+
+    fn normalize(cross: [i128; 3]) -> Option<UnitVec3> {
+        UnitVec3::normalize_wide(cross)
+    }
+
+    fn length_max(cross: [i128; 3]) -> i128 {
+        cross.iter().map(|minor| minor.abs()).sum()
+    }
+
+    fn volume(cross: [i128; 3], d: [i64; 3]) -> i128 {
+        determinant::dot(&cross, d)
+    }
+
+    fn step(direction: UnitVec3, length: i64) -> [i64; 3] {
+        direction.raw().map(|c| to_i64(round_shift_wide(i128::from(c) * i128::from(length), 30)))
+    }
+}
