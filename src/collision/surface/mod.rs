@@ -1,6 +1,27 @@
 //! Surfaces of triangles: meshes, height fields, cloth.
+//!
+//! Surfaces touch where a corner of one is near a face, an edge or a corner of the other, or an
+//! edge is near an edge. A part of a surface takes part only where it is nearest of all around it:
+//! where the other lies in its Voronoi region, told by exact signs. So inner edges of flat or
+//! hollow parts never touch anything, and no contact is found twice.
 
 mod features;
+mod feet;
+mod manifolds;
 mod mesh_shape;
+mod near;
+mod pair;
+mod proximity;
+mod ridges;
+mod side;
 
+pub use manifolds::{manifolds_mesh_height_field, manifolds_mesh_mesh};
 pub use mesh_shape::MeshShape;
+
+use crate::math::Real;
+
+/// Nothing farther apart touches, whatever the margin: 4,096 m.
+pub(super) const REACH_MAX: Real = Real::from_int(1 << 12);
+
+/// How deep what is nearest still tells the way out: 2 mm.
+pub(super) const DEPTH_MAX: Real = Real::from_raw((1 << 24) / 500);

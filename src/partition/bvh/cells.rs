@@ -88,21 +88,27 @@ impl Cells {
         self.shift >= other.shift
     }
 
-    /// The way from finer cells to these; `None` if the trees are too far apart to meet.
-    #[allow(clippy::cast_possible_truncation, reason = "at most 2 CELLS_MAX")]
-    pub(super) fn frame(&self, finer: &Self) -> Option<Frame> {
+    /// The way from finer cells to these, on which boxes grow by `reach` raw units to every side;
+    /// `None` if the trees are too far apart for that.
+    ///
+    /// Only boxes grow: spheres and cylinders take no reach but 0.
+    #[allow(clippy::cast_possible_truncation, reason = "cut to 2 CELLS_MAX")]
+    pub(super) fn frame(&self, finer: &Self, reach: i64) -> Option<Frame> {
         // Up to 34; by 31 nothing is left of a cell already.
         let shift = (self.shift - finer.shift).min(i32::BITS - 1);
         let mut frame = Frame { shift, low: [0; 4], high: [0; 4], slack: 0 };
+        let reach = reach.min(Triangle::COORDINATE_MAX);
         for k in 0..3 {
             // Both are within 2^60.
             let way = finer.base[k] - self.base[k];
-            let (low, high) = (way >> self.shift, -(-way >> self.shift));
+            let (low, high) = (way - reach >> self.shift, -(-way - reach >> self.shift));
             // Both trees are within 0..=CELLS_MAX of their own cells.
             if low.max(-high) > i64::from(CELLS_MAX) {
                 return None;
             }
-            (frame.low[k], frame.high[k]) = (low as i32, high as i32);
+            // Boxes that reach farther than this reach everything.
+            let beyond = 2 * i64::from(CELLS_MAX);
+            (frame.low[k], frame.high[k]) = (low.max(-beyond) as i32, high.min(beyond) as i32);
         }
         // A centre loses less than 1 by the shift and less than 1 by the way, an end of a half
         // axis less than 1 more: less than 3 along each axis, 3 sqrt 3 < 6 in all.
@@ -123,7 +129,7 @@ impl Frame {
     #[inline]
     pub(super) fn outward(&self, mut min: [i32; 4], mut max: [i32; 4]) -> [[i32; 4]; 2] {
         for k in 0..4 {
-            // Within 0..=2^28 and moved by no more than 2^28 + 1.
+            // Within 0..=2^28 and moved by no more than 2^29.
             min[k] = (min[k] >> self.shift) + self.low[k];
             max[k] = self.high[k] - (-max[k] >> self.shift);
         }
@@ -170,7 +176,7 @@ mod tests {
             let fine = Cells { base: corner, shift };
             let points = [(); 3].map(|()| Vec3::from_raw(corner.map(|c| c + near())));
             let volume = V::around(&points.map(|point| fine.of_point(point)));
-            let framed = volume.framed(&coarse.frame(&fine).expect("near"));
+            let framed = volume.framed(&coarse.frame(&fine, 0).expect("near"));
             for point in points {
                 let around = V::around(&[coarse.of_point(point)]);
                 assert!(around.overlaps(&framed), "{point:?} of {framed:?} is not near {around:?}");

@@ -3,11 +3,12 @@
 use alloc::vec::Vec;
 use core::ops::ControlFlow;
 
-use super::Bvh;
 use super::build::{LANES, LEVELS_MAX, Link};
 use super::cells::Frame;
 use super::volume::{Enclose, Volume};
+use super::{Bvh, CellBox};
 use crate::geometry::{Aabb, overlap_triangle_triangle};
+use crate::math::Real;
 
 /// How closely is looked.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -78,15 +79,25 @@ impl<V: Volume> Bvh<V> {
         precision: Precision,
         mut visit: impl FnMut(usize, usize) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        let mut visit = |a: usize, b: usize| {
+        let visit = |a: usize, b: usize| {
             let meet = precision == Precision::Volumes
                 || overlap_triangle_triangle(&self.triangles[a], &other.triangles[b]);
             if meet { visit(a, b) } else { ControlFlow::Continue(()) }
         };
+        self.descend_either(other, 0, visit)
+    }
+
+    /// Visits the places of all faces whose volumes meet, those of one tree grown by `reach`.
+    fn descend_either(
+        &self,
+        other: &Self,
+        reach: i64,
+        mut visit: impl FnMut(usize, usize) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
         if self.cells.is_coarser(&other.cells) {
-            self.descend(other, visit)
+            self.descend(other, reach, visit)
         } else {
-            other.descend(self, |b, a| visit(a, b))
+            other.descend(self, reach, |b, a| visit(a, b))
         }
     }
 
@@ -96,9 +107,12 @@ impl<V: Volume> Bvh<V> {
     fn descend(
         &self,
         finer: &Self,
+        reach: i64,
         mut visit: impl FnMut(usize, usize) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        let Some(frame) = self.cells.frame(&finer.cells) else { return ControlFlow::Continue(()) };
+        let Some(frame) = self.cells.frame(&finer.cells, reach) else {
+            return ControlFlow::Continue(());
+        };
         let mut open: Vec<Open> = Vec::with_capacity(OPEN_MAX);
         open.push([0, 0]);
         while let Some([a, b]) = open.pop() {
@@ -121,6 +135,18 @@ impl<V: Volume> Bvh<V> {
             debug_assert!(open.len() <= OPEN_MAX, "a tree is too deep");
         }
         ControlFlow::Continue(())
+    }
+}
+
+impl Bvh<CellBox> {
+    /// Adds the faces whose boxes come as near to one another as `reach` along each axis, as
+    /// `[face, face of the other]`, in no particular order; and perhaps some more, by less than a
+    /// cell. O(k) for k nodes and faces that are near one another.
+    pub(crate) fn near_pairs(&self, other: &Self, reach: Real, pairs: &mut Vec<[u32; 2]>) {
+        let _: ControlFlow<()> = self.descend_either(other, reach.raw(), |a, b| {
+            pairs.push([self.shape.faces[a], other.shape.faces[b]]);
+            ControlFlow::Continue(())
+        });
     }
 }
 

@@ -1,0 +1,150 @@
+//! Where a surface is nearest to a point: all places, not only the first.
+
+use alloc::vec::Vec;
+
+use super::near::Near;
+use super::side::{Side, side};
+use crate::collision::{FeatureId, FeatureKind};
+use crate::geometry::{Feature, Surface, Triangle, closest_point_triangle, normal_point_triangle};
+use crate::math::{Real, UnitVec3, Vec3};
+
+/// A place of a surface to which a point is nearer than to all others around.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Foot {
+    /// What it lies on.
+    pub(super) feature: FeatureId,
+    pub(super) position: Vec3,
+    /// From the point to the place; negative where the point is inside.
+    pub(super) separation: Real,
+    /// From the point into the surface.
+    pub(super) normal: UnitVec3,
+}
+
+/// The nearest place of one face.
+#[derive(Clone, Copy, Debug)]
+struct Candidate {
+    feature: FeatureId,
+    distance: Real,
+    position: Vec3,
+    triangle: Triangle,
+    on: Feature,
+}
+
+/// Lists that are used again.
+#[derive(Debug, Default)]
+pub(super) struct Feet {
+    candidates: Vec<Candidate>,
+    found: Vec<Foot>,
+}
+
+impl Feet {
+    /// The places within `reach` of a point, sorted by feature; if the point is inside, only the
+    /// nearest one.
+    ///
+    /// `faces` are all faces within reach, each once. A place is one of a vertex or an edge if it
+    /// is the nearest place of **every** face there: so the region of each feature is told by exact
+    /// signs, inner edges and vertices of flat or hollow parts have none, and a point has no foot
+    /// twice. The nearest place of all always counts; it does by itself unless faces without an
+    /// area hide which edges are one.
+    pub(super) fn of<'a, S: Surface>(
+        &mut self,
+        surface: &S,
+        point: Vec3,
+        faces: impl Iterator<Item = &'a Near>,
+        reach: Real,
+    ) -> &[Foot] {
+        self.found.clear();
+        self.gather(surface, point, faces, reach);
+        let nearest = self.candidates.iter().min_by_key(|c| (c.distance, c.feature));
+        let Some(&nearest) = nearest else { return &self.found };
+        let side_of_all = side(surface, point, nearest.feature);
+        if side_of_all == Side::Inside {
+            self.found.push(nearest.foot(surface, point, side_of_all));
+            return &self.found;
+        }
+        self.candidates.sort_unstable_by_key(|c| c.feature);
+        for same in self.candidates.chunk_by(|a, b| a.feature == b.feature) {
+            let candidate = same[0];
+            let is_nearest = candidate.feature == nearest.feature;
+            let is_foot = is_nearest || same.len() == faces_at(surface, candidate.feature);
+            if is_foot && side(surface, point, candidate.feature) == Side::Outside {
+                self.found.push(candidate.foot(surface, point, Side::Outside));
+            }
+        }
+        &self.found
+    }
+
+    fn gather<'a, S: Surface>(
+        &mut self,
+        surface: &S,
+        point: Vec3,
+        faces: impl Iterator<Item = &'a Near>,
+        reach: Real,
+    ) {
+        self.candidates.clear();
+        let bounds = crate::geometry::Aabb::of_point(point);
+        for near in faces.filter(|near| near.is_near(&bounds, reach)) {
+            let foot = closest_point_triangle(point, &near.triangle);
+            let distance = point.distance(foot.position);
+            if distance > reach {
+                continue;
+            }
+            let feature = match foot.feature {
+                Feature::Vertex(k) => FeatureId::vertex(surface.corners(near.face)[usize::from(k)]),
+                Feature::Edge(k) => FeatureId::edge(surface.sides(near.face)[usize::from(k)]),
+                Feature::Face => FeatureId::face(near.face),
+            };
+            let (position, on) = (foot.position, foot.feature);
+            let triangle = near.triangle;
+            self.candidates.push(Candidate { feature, distance, position, triangle, on });
+        }
+    }
+}
+
+impl Candidate {
+    fn foot<S: Surface>(&self, surface: &S, point: Vec3, side: Side) -> Foot {
+        let Self { feature, distance, position, triangle, on } = *self;
+        let is_inside = side == Side::Inside;
+        let normal = match normal_point_triangle(point, &triangle, on) {
+            Some(normal) if is_inside => -normal,
+            Some(normal) => normal,
+            None => inward(surface, feature),
+        };
+        let separation = if is_inside { -distance } else { distance };
+        Foot { feature, position, separation, normal }
+    }
+}
+
+/// How many faces there are at a feature.
+fn faces_at<S: Surface>(surface: &S, feature: FeatureId) -> usize {
+    match feature.kind() {
+        FeatureKind::Face => 1,
+        FeatureKind::Edge => surface.faces_at_edge(feature.index()).count(),
+        FeatureKind::Vertex => surface.faces_at_vertex(feature.index()).count(),
+    }
+}
+
+/// Into the surface at a feature: against the normals of its faces, together or, where these cancel
+/// out, of the lowest one that has any; down if none has.
+pub(super) fn inward<S: Surface>(surface: &S, feature: FeatureId) -> UnitVec3 {
+    let normals: Vec<_> = match feature.kind() {
+        FeatureKind::Face => normal_of(surface, feature.index()).into_iter().collect(),
+        FeatureKind::Edge => {
+            surface.faces_at_edge(feature.index()).filter_map(|f| normal_of(surface, f)).collect()
+        }
+        FeatureKind::Vertex => {
+            surface.faces_at_vertex(feature.index()).filter_map(|f| normal_of(surface, f)).collect()
+        }
+    };
+    // At most 2^23 unit vectors.
+    let sum = normals.iter().fold([0; 3], |sum, normal| crate::math::wide::add(sum, normal.raw()));
+    let together = UnitVec3::normalize(Vec3::from_raw(sum));
+    -together.or(normals.first().copied()).unwrap_or(UnitVec3::Y)
+}
+
+/// The outer normal of a face, if it has an area.
+pub(super) fn normal_of<S: Surface>(surface: &S, face: u32) -> Option<UnitVec3> {
+    let [a, b, c] = surface.triangle(face).corners().map(Vec3::raw);
+    let [u, v] = [b, c].map(|end| crate::math::wide::sub(end, a));
+    UnitVec3::normalize_wide(crate::math::determinant::cross(u, v))
+}
