@@ -58,3 +58,5 @@ mod soft;
 mod surface;
 /// The shape of the tree: floors, lengths, papers that tell the truth.
 mod tidy;
+/// Times of impact against roots in big integers and against sampling; landing before them.
+mod toi;

@@ -34,6 +34,7 @@ mod predicates;
 mod segment;
 mod sphere;
 mod surface;
+pub mod sweep;
 mod triangle;
 mod triangle_triangle;
 mod weld;
