@@ -1,6 +1,7 @@
 //! Convex hulls, what is made of them, and what fits around points.
 
 mod around;
+mod moved;
 mod oracle;
 
 use verlock::Vec3;

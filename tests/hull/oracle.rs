@@ -41,6 +41,25 @@ fn facets(points: &[Point]) -> BTreeSet<BTreeSet<Point>> {
     facets
 }
 
+/// The normal and the offset along it of every face of the hull around some points.
+pub fn planes(points: &[Point]) -> Vec<(Big, BigInt)> {
+    let places: Vec<Point> = points.iter().copied().collect::<BTreeSet<_>>().into_iter().collect();
+    let mut planes = vec![];
+    for facet in facets(points) {
+        let mut facet = facet.into_iter().map(big);
+        let (a, b) = (facet.next().expect("three"), facet.next().expect("three"));
+        let normals = facet.map(|c| cross(&minus(&b, &a), &minus(&c, &a)));
+        let zero = BigInt::from(0);
+        let normal = normals.into_iter().find(|n| *n != [0, 0, 0].map(BigInt::from));
+        let normal = normal.expect("not all on one line");
+        let is_front = places.iter().any(|&p| dot(&normal, &minus(&big(p), &a)) > zero);
+        let normal = if is_front { normal.map(|c| -c) } else { normal };
+        let offset = dot(&normal, &a);
+        planes.push((normal, offset));
+    }
+    planes
+}
+
 /// The corners and the corners of each face of the hull around some points; none if it is flat.
 ///
 /// A point is a corner if no other is in all the faces that it is in.
