@@ -23,6 +23,7 @@ mod adjacency;
 mod capsule;
 mod closest;
 mod cuboid;
+mod decimate;
 mod error;
 mod grid;
 mod half_space;

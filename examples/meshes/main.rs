@@ -1,0 +1,30 @@
+//! Writes ten meshes as OBJ files: `cargo run --release --example meshes -- FOLDER [DETAIL]`.
+//!
+//! Detail 1 gives a few hundred faces each, detail 10 a hundred times as many.
+#![allow(clippy::print_stdout, clippy::disallowed_methods, reason = "a program for the shell")]
+
+mod shapes;
+
+use std::error::Error;
+use std::path::PathBuf;
+use std::{env, fs};
+
+use shapes::SHAPES;
+use verlock::scene::Obj;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut arguments = env::args_os().skip(1);
+    let folder = PathBuf::from(arguments.next().ok_or("which folder?")?);
+    let detail = match arguments.next() {
+        Some(detail) => detail.to_str().ok_or("detail is no number")?.parse()?,
+        None => 3,
+    };
+    fs::create_dir_all(&folder)?;
+    for (name, shape) in SHAPES {
+        let mesh = shape(detail);
+        println!("{name}: {} faces", mesh.faces().len());
+        let text = format!("# {name}, detail {detail}\n{}", Obj::from(mesh));
+        fs::write(folder.join(name).with_extension("obj"), text)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,121 @@
+//! Sums of squared distances from planes.
+
+use core::ops::AddAssign;
+
+use crate::math::UnitVec3;
+use crate::math::wide::{round_div_wide, round_shift, to_i64};
+
+/// Bits of the longest edge of the box around all points, in cells.
+pub(super) const SPAN_BITS: u32 = 28;
+
+/// What all weights sum to, but for those that are raised to 1.
+pub(super) const WEIGHT_BITS: u32 = 24;
+
+/// Bits of the length of a normal: a plane leans by 2 micrometres a metre at most.
+const NORMAL_BITS: u32 = 18;
+
+/// `sum w (n . x - d)^2` over weighted planes, as `x A x - 2 b x + c`: exact, whatever is added.
+///
+/// | what | at most | why |
+/// |---|---|---|
+/// | x, a plane's point | 2^28 along an axis | [`SPAN_BITS`], from the corner of their box |
+/// | n | 2^18 | rounded from a unit vector |
+/// | n . x - d | 2^46.8 | 2^18, and 2^28 sqrt(3) |
+/// | sum w | 15 * 2^23 | `3 * 2^24 + 9 * 2^23`, see below |
+/// | A | 2^62.92 | |
+/// | b | 2^91.8 | |
+/// | c, x A x, the sum | 2^120.6 | each a sum of squares; terms on the way are below 2^124 |
+///
+/// A plane counts at each of its corners, so that where they are all drawn together a face counts
+/// three times and a boundary edge twice. All weights together are 2^24, and at most 1 more for each
+/// of 2^23 faces and of at most three times as many boundary edges.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(super) struct Quadric {
+    /// xx, yy, zz, yz, zx, xy.
+    a: [i64; 6],
+    b: [i128; 3],
+    c: i128,
+}
+
+impl Quadric {
+    /// Of one plane through a point.
+    pub(super) fn of_plane(normal: UnitVec3, point: [i64; 3], weight: i64) -> Self {
+        let [x, y, z] = normal.raw().map(|c| round_shift(c, 30 - NORMAL_BITS));
+        let d = i128::from(x * point[0] + y * point[1] + z * point[2]);
+        let wide = i128::from(weight);
+        Self {
+            a: [x * x, y * y, z * z, y * z, z * x, x * y].map(|product| weight * product),
+            b: [x, y, z].map(|c| wide * d * i128::from(c)),
+            c: wide * d * d,
+        }
+    }
+
+    /// The sum at a point.
+    pub(super) fn at(&self, point: [i64; 3]) -> u128 {
+        let (ax, x) = (self.product(point), point.map(i128::from));
+        let term = |k: usize| (ax[k] - 2 * self.b[k]) * x[k];
+        // A sum of squares: never negative.
+        (term(0) + term(1) + term(2) + self.c).cast_unsigned()
+    }
+
+    /// The sum of the weights, times 2^36: of `w |n|^2`.
+    pub(super) const fn trace(&self) -> i64 {
+        // |n|^2 is 2^36 and less than 2^19 more by rounding: at most 2^62.92.
+        self.a[0] + self.a[1] + self.a[2]
+    }
+
+    /// Where the sum is smallest, held to `middle` by a spring of 2^-16 of all weights, which
+    /// decides where planes leave a choice. None if that is farther than `reach` along an axis.
+    pub(super) fn lowest(&self, middle: [i64; 3], reach: i64) -> Option<[i64; 3]> {
+        const BITS: u32 = 30;
+        // One plane's trace has 36 bits and more; without any there is nothing to be near to.
+        let shift = (i64::BITS - self.trace().leading_zeros()).checked_sub(BITS)?;
+        if shift == 0 {
+            return None;
+        }
+        let [xx, yy, zz, yz, zx, xy] = self.a.map(|c| i128::from(round_shift(c, shift)));
+        let [xx, yy, zz] = [xx, yy, zz].map(|c| c + (1 << (BITS - 16)));
+        // A is positive, and rounding it leans it by less than the spring: so is the determinant.
+        // Elements are at most 2^30, and of a positive matrix those of the adjugate are at most
+        // 2^60, the determinant below 2^90.
+        let adjugate = [
+            [yy * zz - yz * yz, zx * yz - xy * zz, xy * yz - yy * zx],
+            [zx * yz - xy * zz, xx * zz - zx * zx, xy * zx - xx * yz],
+            [xy * yz - yy * zx, xy * zx - xx * yz, xx * yy - xy * xy],
+        ];
+        let determinant = xx * adjugate[0][0] + xy * adjugate[0][1] + zx * adjugate[0][2];
+        let ax = self.product(middle);
+        let force = [0, 1, 2].map(|k| (self.b[k] - ax[k]) >> shift);
+        // (A + spring) (x - middle) = force: beyond 2^62 the way is longer than 2^30.
+        if force.iter().any(|c| c.unsigned_abs() >> 62 != 0) {
+            return None;
+        }
+        let mut lowest = middle;
+        for (c, row) in lowest.iter_mut().zip(adjugate) {
+            let way: i128 = row.into_iter().zip(force).map(|(a, f)| a * f).sum(); // below 2^124
+            let way = round_div_wide(way, determinant);
+            if way.abs() > i128::from(reach) {
+                return None;
+            }
+            *c += to_i64(way);
+        }
+        Some(lowest)
+    }
+
+    /// `A x`: at most 2^91.8.
+    fn product(&self, x: [i64; 3]) -> [i128; 3] {
+        let [xx, yy, zz, yz, zx, xy] = self.a;
+        let row = |row: [i64; 3]| -> i128 {
+            row.into_iter().zip(x).map(|(a, x)| i128::from(a) * i128::from(x)).sum()
+        };
+        [row([xx, xy, zx]), row([xy, yy, yz]), row([zx, yz, zz])]
+    }
+}
+
+impl AddAssign<&Self> for Quadric {
+    fn add_assign(&mut self, other: &Self) {
+        self.a.iter_mut().zip(other.a).for_each(|(sum, term)| *sum += term);
+        self.b.iter_mut().zip(other.b).for_each(|(sum, term)| *sum += term);
+        self.c += other.c;
+    }
+}
