@@ -31,8 +31,8 @@ pub fn gear(detail: u32) -> TriangleMesh {
     let between = |i: u32, j: u32| bore + (outer(i) - bore) * i64::from(j) / i64::from(out);
     let height = |j: u32| half * (2 * i64::from(j) - i64::from(up)) / i64::from(up);
     let mut patches = Patches::default();
-    patches.add(around, out, |i, j| at(i, between(i, out - j), half));
-    patches.add(around, out, |i, j| at(i, between(i, j), -half));
+    patches.add(around, out, |i, j| at(i, between(i, j), half));
+    patches.add(around, out, |i, j| at(i, between(i, out - j), -half));
     patches.add(around, up, |i, j| at(i, outer(i), height(up - j)));
     patches.add(around, up, |i, j| at(i, bore, height(j)));
     patches.mesh()

@@ -54,6 +54,15 @@ impl Cells {
         CellBox::new(cell, over)
     }
 
+    /// The lowest and the highest corner of a box of cells, raw: less than a cell beyond 2^60.
+    #[inline]
+    pub(super) fn corners(&self, cells: &CellBox) -> [[i64; 3]; 2] {
+        let Self { base, shift } = *self;
+        // At most 2^28 cells of at most 2^34.
+        [cells.min(), cells.max()]
+            .map(|corner| [0, 1, 2].map(|k| base[k] + (i64::from(corner[k]) << shift)))
+    }
+
     /// Whether a point lies in a box of cells. Exact.
     pub(super) fn holds(&self, cells: &CellBox, point: Vec3) -> bool {
         let Self { base, shift } = *self;

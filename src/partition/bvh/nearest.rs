@@ -1,0 +1,94 @@
+//! What is nearest to a point.
+
+use alloc::vec::Vec;
+
+use super::Bvh;
+use super::build::LANES;
+use super::cell_box::CellBox;
+use super::cells::Cells;
+use super::volume::Volume;
+use crate::geometry::{ClosestPoint, closest_point_triangle};
+use crate::math::Vec3;
+
+/// The point of a mesh that is nearest to another.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Nearest {
+    /// The face that it lies on: of several equally near ones, the lowest.
+    pub face: u32,
+    /// Where on the face it is.
+    pub point: ClosestPoint<3>,
+    /// The square of the distance to that place, in units of 2^-48 m^2.
+    pub distance_sq: u128,
+    /// The place of the face in the order of the leaves.
+    pub(super) place: u32,
+}
+
+/// A node to look into, with the least square of a distance of anything in it.
+type Open = (u128, usize);
+
+impl<V: Volume> Bvh<V> {
+    /// The point of the mesh, where its vertices are, that is nearest to `point`, which is within the
+    /// range of a mesh's vertices.
+    ///
+    /// Faces are compared by their nearest points as they are rounded, so one that is nearer by less
+    /// than 60 nm may be passed over. O(log n) for n faces unless many are equally near.
+    #[must_use]
+    pub fn nearest(&self, point: Vec3) -> Nearest {
+        let first = self.nearest_on(0, point);
+        self.nearest_or(first, point)
+    }
+
+    /// The same, given a point on one of its faces: the nearer it is, the less is looked at.
+    pub(super) fn nearest_or(&self, first: Nearest, point: Vec3) -> Nearest {
+        let mut best = first;
+        let mut open: Vec<Open> = Vec::from([(0, 0)]);
+        while let Some((distance_sq, node)) = open.pop() {
+            if distance_sq > best.distance_sq {
+                continue;
+            }
+            let link = self.shape.links[node];
+            let mut below = [(0, 0); LANES];
+            let mut len = 0;
+            for (lane, place) in self.volumes[node].iter().zip(link.below()) {
+                let distance_sq = self.cells.distance_sq(&lane.bounds(), point);
+                if distance_sq <= best.distance_sq {
+                    below[len] = (distance_sq, place);
+                    len += 1;
+                }
+            }
+            let below = &mut below[..len];
+            below.sort_unstable();
+            if link.is_leaf {
+                for &(_, place) in below.iter() {
+                    let found = self.nearest_on(place as u32, point); // below 2^23
+                    if (found.distance_sq, found.face) < (best.distance_sq, best.face) {
+                        best = found;
+                    }
+                }
+            } else {
+                open.extend(below.iter().rev()); // the nearest is next
+            }
+        }
+        best
+    }
+
+    /// The nearest point of one face.
+    pub(super) fn nearest_on(&self, place: u32, point: Vec3) -> Nearest {
+        let nearest = closest_point_triangle(point, &self.triangles[place as usize]);
+        let distance_sq = (point - nearest.position).length_sq_wide();
+        Nearest { face: self.shape.faces[place as usize], point: nearest, distance_sq, place }
+    }
+}
+
+impl Cells {
+    /// The square of the distance between a point and a box, raw. Exact.
+    fn distance_sq(&self, cells: &CellBox, point: Vec3) -> u128 {
+        let [low, high] = self.corners(cells);
+        let along = |(c, (low, high)): (i64, (i64, i64))| {
+            // Below 2^62: the sum is below 3 * 2^124.
+            let beyond = (low - c).max(c - high).max(0).unsigned_abs();
+            u128::from(beyond) * u128::from(beyond)
+        };
+        point.raw().into_iter().zip(low.into_iter().zip(high)).map(along).sum()
+    }
+}
