@@ -18,4 +18,7 @@ pub use convex::manifold_cuboid_cuboid;
 pub use feature::{FeatureId, FeatureKind};
 pub use manifold::{Contact, Manifold};
 pub use shape::Shape;
-pub use surface::{MeshShape, manifolds_mesh_height_field, manifolds_mesh_mesh};
+pub use surface::{
+    MeshShape, manifolds_capsule_surface, manifolds_mesh_height_field, manifolds_mesh_mesh,
+    manifolds_sphere_surface,
+};

@@ -9,14 +9,16 @@ mod cloth;
 mod guigue;
 mod manifolds;
 mod meshes;
+mod surfaces;
 mod triangles;
 
 /// What is measured, by name.
-const ALL: [(&str, fn()); 5] = [
+const ALL: [(&str, fn()); 6] = [
     ("boxes", boxes::run),
     ("cloth", cloth::run),
     ("manifolds", manifolds::run),
     ("meshes", meshes::run),
+    ("surfaces", surfaces::run),
     ("triangles", triangles::run),
 ];
 

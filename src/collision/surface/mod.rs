@@ -13,15 +13,17 @@ mod near;
 mod pair;
 mod proximity;
 mod ridges;
+mod round;
 mod side;
 
 pub use manifolds::{manifolds_mesh_height_field, manifolds_mesh_mesh};
 pub use mesh_shape::MeshShape;
+pub use round::{manifolds_capsule_surface, manifolds_sphere_surface};
 
 use crate::math::Real;
 
-/// Nothing farther apart touches, whatever the margin: 4,096 m.
-pub(super) const REACH_MAX: Real = Real::from_int(1 << 12);
+/// Nothing farther apart touches, whatever the margin: 65,536 m.
+pub(super) const REACH_MAX: Real = Real::from_int(1 << 16);
 
 /// How deep what is nearest still tells the way out: 2 mm.
 pub(super) const DEPTH_MAX: Real = Real::from_raw((1 << 24) / 500);

@@ -36,8 +36,10 @@ pub(super) struct Cone {
 
 impl Cone {
     /// Of a direction at right angles to an edge; of a wire, which is at no surface, any.
+    ///
+    /// A wire is solid: what it has passed through is told by the other edge alone.
     fn of<W: Width, S: Surface>((surface, ridge): Rim<'_, S>, direction: &[W::Minor; 3]) -> Self {
-        let free = Self { along: true, against: true, is_solid: false };
+        let free = Self { along: true, against: true, is_solid: true };
         let Some(surface) = surface else { return free };
         let origin = ridge.segment.ends()[0].raw();
         let (mut cone, mut count) = (free, 0);

@@ -82,8 +82,8 @@ struct Wedge {
 /// Both are taken as directions from the vertex, whose faces reach to infinity then. No face lies
 /// in the direction of the point, or it would be nearer.
 ///
-/// Widths: the point is within [`REACH_MAX`](super::REACH_MAX) = 2^36 along each axis, sides are
-/// below 2^41, and their sum below 2^42: determinants are below 6 * 2^(36 + 42 + 41).
+/// Widths: the point is within [`REACH_MAX`](super::REACH_MAX) = 2^40 along each axis, sides are
+/// below 2^41, and their sum below 2^42: determinants are below 6 * 2^(40 + 42 + 41).
 fn at_vertex<S: Surface>(surface: &S, point: Vec3, vertex: u32) -> Side {
     let faces = || surface.faces_at_vertex(vertex);
     if !is_closed(surface, vertex) {

@@ -1,0 +1,149 @@
+//! Where spheres and capsules touch a surface.
+
+use alloc::vec::Vec;
+
+use super::REACH_MAX;
+use super::feet::Feet;
+use super::manifolds::grown;
+use super::near::{Near, is_near};
+use super::proximity::{Proximity, along, manifolds};
+use super::ridges::{Ridge, crossing};
+use crate::collision::{Contact, FeatureId, Manifold};
+use crate::geometry::{
+    Aabb, Capsule, Feature, Segment, Sphere, Surface, closest_point_segment, normal_point_segment,
+};
+use crate::math::wide::{round_shift_wide, sub, to_i64};
+use crate::math::{Real, UnitVec3, Vec3};
+
+/// Adds the manifolds of a sphere and a surface that are nearer than `margin`.
+///
+/// A center that is inside a one-sided surface is pushed out the nearest way, if that is no longer
+/// than radius and margin. O(k log k) for k faces near the sphere.
+pub fn manifolds_sphere_surface<S: Surface>(
+    sphere: &Sphere,
+    surface: &S,
+    margin: Real,
+    out: &mut Vec<Manifold>,
+) {
+    let round = Round::new(surface, [sphere.center(); 2], sphere.radius(), margin);
+    let mut found = Vec::new();
+    round.ball(0, FeatureId::face(0), &mut found);
+    found.sort_unstable_by_key(Proximity::key);
+    manifolds(&found, out);
+}
+
+/// Adds the manifolds of a capsule and a surface that are nearer than `margin`.
+///
+/// An end that is inside a one-sided surface is pushed out the nearest way, if that is no longer
+/// than radius and margin. O(k log k) for k faces near the capsule.
+pub fn manifolds_capsule_surface<S: Surface>(
+    capsule: &Capsule,
+    surface: &S,
+    margin: Real,
+    out: &mut Vec<Manifold>,
+) {
+    let round = Round::new(surface, capsule.ends(), capsule.radius(), margin);
+    let mut found = Vec::new();
+    round.ball(0, FeatureId::vertex(0), &mut found);
+    if capsule.ends()[0] != capsule.ends()[1] {
+        round.ball(1, FeatureId::vertex(1), &mut found);
+        round.wire(&mut found);
+    }
+    found.sort_unstable_by_key(Proximity::key);
+    manifolds(&found, out);
+}
+
+/// Something round, and the faces near it.
+struct Round<'a, S> {
+    surface: &'a S,
+    segment: Segment,
+    radius: Real,
+    /// From the segment as far as anything touches.
+    reach: Real,
+    faces: Vec<Near>,
+}
+
+impl<'a, S: Surface> Round<'a, S> {
+    fn new(surface: &'a S, ends: [Vec3; 2], radius: Real, margin: Real) -> Self {
+        let reach = radius + margin.clamp(Real::ZERO, REACH_MAX - radius);
+        let segment = Segment::between(ends);
+        let mut names = Vec::new();
+        surface.faces_near(&grown(&segment.bounds(), reach), &mut names);
+        let faces = names.into_iter().map(|face| Near::of(surface, face)).collect();
+        Self { surface, segment, radius, reach, faces }
+    }
+
+    /// The feet of an end.
+    fn ball(&self, end: usize, feature: FeatureId, found: &mut Vec<Proximity>) {
+        let center = self.segment.ends()[end];
+        let mut feet = Feet::default();
+        for foot in feet.of(self.surface, center, self.faces.iter(), self.reach) {
+            let contact = Contact {
+                features: [feature, foot.feature],
+                on_a: step(center, foot.normal, self.radius),
+                on_b: foot.position,
+                separation: foot.separation - self.radius,
+            };
+            found.push(Proximity { normal: foot.normal, contact });
+        }
+    }
+
+    /// Where the inside of the segment is nearest to edges and vertices.
+    fn wire(&self, found: &mut Vec<Proximity>) {
+        let wire = Ridge { edge: 0, segment: self.segment, bounds: self.segment.bounds() };
+        for near in &self.faces {
+            for side in near.sides() {
+                let ridge = Ridge::of(self.surface, near, side);
+                let (a, b) = ((None::<&S>, &wire), (Some(self.surface), &ridge));
+                found.extend(crossing(a, b, [self.radius, self.reach]).map(|proximity| {
+                    let Proximity { normal, mut contact } = proximity;
+                    contact.on_a = step(contact.on_a, normal, self.radius);
+                    contact.separation -= self.radius;
+                    Proximity { normal, contact }
+                }));
+            }
+            for corner in near.corners() {
+                let vertex = self.surface.corners(near.face)[corner];
+                found.extend(self.over(vertex, &wire.bounds));
+            }
+        }
+    }
+
+    /// A vertex below the inside of the segment, if no face there is nearer.
+    fn over(&self, vertex: u32, bounds: &Aabb) -> Option<Proximity> {
+        let position = self.surface.position(vertex);
+        if !is_near(&Aabb::of_point(position), bounds, self.reach) {
+            return None;
+        }
+        let foot = closest_point_segment(position, &self.segment);
+        let distance = position.distance(foot.position);
+        if foot.feature != Feature::Edge(0) || distance > self.reach {
+            return None;
+        }
+        let outward = normal_point_segment(position, &self.segment, foot.feature)?;
+        let mut neighbours = self.surface.faces_at_vertex(vertex).flat_map(|face| {
+            self.surface.corners(face).map(|corner| self.surface.position(corner))
+        });
+        let falls = |end: Vec3| along(outward, sub(end.raw(), position.raw())) <= Real::ZERO;
+        if !neighbours.all(falls) {
+            return None;
+        }
+        let normal = -outward;
+        let contact = Contact {
+            features: [FeatureId::edge(0), FeatureId::vertex(vertex)],
+            on_a: step(foot.position, normal, self.radius),
+            on_b: position,
+            separation: distance - self.radius,
+        };
+        Some(Proximity { normal, contact })
+    }
+}
+
+/// A point moved along a unit vector, by less than 2^61 raw units.
+fn step(point: Vec3, normal: UnitVec3, length: Real) -> Vec3 {
+    let way = normal.raw().map(|c| {
+        let product = i128::from(c) * i128::from(length.raw());
+        to_i64(round_shift_wide(product, 30))
+    });
+    point + Vec3::from_raw(way)
+}
