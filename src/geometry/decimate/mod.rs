@@ -163,7 +163,7 @@ impl Decimation {
         };
         let length_sq: u64 = (0..3).map(|k| cells[0][k].abs_diff(cells[1][k]).pow(2)).sum();
         // 2^62.9 and 3 * 2^56.
-        let pull = u128::from(quadric.trace().unsigned_abs()) * u128::from(length_sq) >> 24;
+        let pull = (u128::from(quadric.trace().unsigned_abs()) * u128::from(length_sq)) >> 24;
         Some((cost + pull, position))
     }
 
@@ -191,8 +191,9 @@ impl Decimation {
             places[corner as usize] = 0;
         }
         let mut vertices = Vec::new();
-        for (vertex, place) in (0..).zip(&mut places).filter(|(_, place)| **place == 0) {
-            *place = vertices.len() as u32; // at most 2^22
+        let kept = (0..).zip(&mut places).filter(|(_, place)| **place == 0);
+        for (number, (vertex, place)) in (0..).zip(kept) {
+            *place = number;
             vertices.push(self.surface.position(vertex));
         }
         TriangleMesh::new(vertices, faces.into_iter().map(|face| face.map(|c| places[c as usize])))

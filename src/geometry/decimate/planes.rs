@@ -9,7 +9,7 @@ use super::sides;
 use super::surface::{Surface, normal};
 use crate::math::determinant::cross;
 use crate::math::root::isqrt_wide;
-use crate::math::wide::sub;
+use crate::math::wide::{sub, to_i64};
 use crate::math::{UnitVec3, Vec3};
 
 /// A plane through three corners, or through two and upright on a face.
@@ -33,9 +33,9 @@ pub(super) fn quadrics(surface: &Surface, lattice: &Lattice, vertices: usize) ->
     let mut quadrics = vec![Quadric::default(); vertices];
     for Plane { normal, corners, size } in planes {
         // At most 2^24.
-        let weight = ((size << WEIGHT_BITS) / total) as i64;
+        let weight = to_i64(((size << WEIGHT_BITS) / total).cast_signed()).max(1);
         let point = lattice.cell(surface.position(corners[0]));
-        let quadric = Quadric::of_plane(normal, point, weight.max(1));
+        let quadric = Quadric::of_plane(normal, point, weight);
         let mut last = None;
         for corner in corners {
             if last.replace(corner) != Some(corner) {

@@ -45,7 +45,9 @@ impl Surface {
         let vertices = mesh.vertices().len();
         let mut stars = vec![Vec::new(); vertices];
         for (face, corners) in (0..).zip(&faces) {
-            corners.iter().for_each(|&corner| stars[corner as usize].push(face));
+            for &corner in corners {
+                stars[corner as usize].push(face);
+            }
         }
         let mut surface = Self {
             positions: mesh.vertices().to_vec(),

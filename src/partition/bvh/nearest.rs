@@ -24,7 +24,7 @@ pub struct Nearest {
 }
 
 /// A node to look into, with the least square of a distance of anything in it.
-type Open = (u128, usize);
+type Open = (u128, u32);
 
 impl<V: Volume> Bvh<V> {
     /// The point of the mesh, where its vertices are, that is nearest to `point`, which is within the
@@ -46,10 +46,12 @@ impl<V: Volume> Bvh<V> {
             if distance_sq > best.distance_sq {
                 continue;
             }
-            let link = self.shape.links[node];
+            let link = self.shape.links[node as usize];
             let mut below = [(0, 0); LANES];
             let mut len = 0;
-            for (lane, place) in self.volumes[node].iter().zip(link.below()) {
+            for (lane, place) in
+                self.volumes[node as usize].iter().zip(link.first..link.first + u32::from(link.len))
+            {
                 let distance_sq = self.cells.distance_sq(&lane.bounds(), point);
                 if distance_sq <= best.distance_sq {
                     below[len] = (distance_sq, place);
@@ -60,7 +62,7 @@ impl<V: Volume> Bvh<V> {
             below.sort_unstable();
             if link.is_leaf {
                 for &(_, place) in below.iter() {
-                    let found = self.nearest_on(place as u32, point); // below 2^23
+                    let found = self.nearest_on(place, point);
                     if (found.distance_sq, found.face) < (best.distance_sq, best.face) {
                         best = found;
                     }

@@ -40,7 +40,7 @@ pub struct Farthest {
 }
 
 /// After so many cuts the bounds are what they are.
-const CUTS_MAX: u32 = 1 << 18;
+const CUTS_MAX: u32 = 1 << 17;
 
 impl Deviation {
     /// The greatest distance of a point of either surface from the other one, metres.
@@ -61,9 +61,10 @@ impl<V: Volume> Bvh<V> {
 
     /// What of this mesh is farthest from another: the directed Hausdorff distance.
     ///
-    /// `at_most` is no more than 1/256 above `at_least`, or than the 2^-16th part of how wide both
-    /// are together, unless 2^18 cuts do not suffice; it is true in any case. O(n log n) for n faces
-    /// of both, and for what is cut.
+    /// `at_most` is no more than 1/256 above `at_least`, or than 4 micrometres or the 2^-20th part of
+    /// how wide both are together, unless 2^17 cuts do not suffice: they may not where a plane is
+    /// compared with very many small faces. It is true in any case. O(n log n) for n faces of both,
+    /// and a second at most for cuts.
     #[must_use]
     pub fn farthest_from(&self, other: &Self) -> Farthest {
         let mut search = Search::new(self, other);
@@ -101,7 +102,7 @@ impl<'a, V: Volume> Search<'a, V> {
             point: from.triangles[0].corners()[0],
             at_least: 0,
             at_most: 0,
-            tolerance: (span >> 16).max(4),
+            tolerance: (span >> 20).max(64),
             pieces: BinaryHeap::new(),
         }
     }
@@ -116,7 +117,7 @@ impl<'a, V: Volume> Search<'a, V> {
             for (vertex, &position) in names.into_iter().zip(triangle.corners()) {
                 if corners[vertex as usize].is_none() {
                     // Neighbours are near the same faces.
-                    let corner = self.corner(position, &[last]);
+                    let corner = self.corner(position, 0, &[last]);
                     last = corner.place;
                     corners[vertex as usize] = Some(corner);
                 }
@@ -126,14 +127,14 @@ impl<'a, V: Volume> Search<'a, V> {
     }
 
     /// A point with its distance; some of the faces, of which there is one, are near it.
-    fn corner(&mut self, position: Vec3, near: &[u32]) -> Corner {
+    fn corner(&mut self, position: Vec3, roundings: u64, near: &[u32]) -> Corner {
         let found = near.iter().map(|&place| self.to.nearest_on(place, position));
         let first = found.min_by_key(|found: &Nearest| found.distance_sq);
         let nearest = match first {
             Some(first) => self.to.nearest_or(first, position),
             None => self.to.nearest(position),
         };
-        let corner = Corner::new(position, &nearest);
+        let corner = Corner::new(position, &nearest, roundings);
         if corner.at_least > self.at_least {
             (self.at_least, self.point) = (corner.at_least, position);
         }
@@ -147,8 +148,7 @@ impl<'a, V: Volume> Search<'a, V> {
 
     /// Looks at a new piece.
     fn open(&mut self, mut piece: Piece) {
-        piece.bound(self.to, self.limit());
-        if piece.at_most > self.limit() {
+        if piece.bound(self.to, self.limit()) {
             self.pieces.push(piece);
         } else {
             self.at_most = self.at_most.max(piece.at_most);
@@ -167,7 +167,7 @@ impl<'a, V: Volume> Search<'a, V> {
                 self.open(half);
             }
         }
-        let metres = |raw: u64| Real::from_raw(raw as i64); // distances are below 2^63
+        let metres = |raw: u64| Real::from_raw(raw.cast_signed()); // below 2^63
         let at_most = self.at_most.max(self.at_least);
         Farthest { point: self.point, at_least: metres(self.at_least), at_most: metres(at_most) }
     }
@@ -176,8 +176,9 @@ impl<'a, V: Volume> Search<'a, V> {
     fn cut(&mut self, piece: &Piece) -> [Piece; 2] {
         let cut = piece.cut(self.to);
         let corners = cut.ends.map(|end| {
-            let (position, [a, b]) = piece.on_edge(end);
-            self.corner(position, &[a, b, piece.face])
+            piece.end(end).unwrap_or_else(|(position, roundings, [a, b])| {
+                self.corner(position, roundings, &[a, b, piece.face])
+            })
         });
         piece.halves(&cut, corners)
     }

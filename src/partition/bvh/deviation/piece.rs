@@ -6,7 +6,7 @@ use core::cmp::Ordering;
 use crate::geometry::{Aabb, Feature, Triangle, closest_point_triangle};
 use crate::math::determinant::cross;
 use crate::math::root::isqrt_wide;
-use crate::math::wide::{round_div_wide, round_shift_wide, sub, to_i64};
+use crate::math::wide::{add, round_div_wide, round_shift_wide, sub, to_i64};
 use crate::math::{UnitVec3, Vec3};
 use crate::partition::bvh::Bvh;
 use crate::partition::bvh::nearest::Nearest;
@@ -22,14 +22,14 @@ pub(super) struct Corner {
     at_most: u64,
     /// The place of the face that is nearest.
     pub(super) place: u32,
+    /// How often it was rounded, and what it lies between: each time by less than a raw unit.
+    roundings: u64,
 }
 
 /// A convex polygon, part of a face, with what bounds its distance from the other surface.
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
     corners: Vec<Corner>,
-    /// How often new corners were rounded, each time by less than a raw unit, up to these.
-    roundings: u64,
     /// No point of it is farther away, raw.
     pub(super) at_most: u64,
     /// The place of the face that says so, and the corner that is farthest from it.
@@ -53,32 +53,36 @@ pub(super) struct End {
 const SHARE_BITS: u32 = 30;
 
 impl Corner {
-    pub(super) fn new(position: Vec3, nearest: &Nearest) -> Self {
+    pub(super) fn new(position: Vec3, nearest: &Nearest, roundings: u64) -> Self {
         let [at_least, at_most] = distance(nearest.distance_sq, nearest.point.feature);
-        Self { position, at_least, at_most, place: nearest.place }
+        Self { position, at_least, at_most, place: nearest.place, roundings }
     }
 }
 
 impl Piece {
     /// The triangle of three corners; nothing is known of it.
     pub(super) fn new(corners: Vec<Corner>) -> Self {
-        Self { corners, roundings: 0, at_most: u64::MAX, face: 0, worst: 0 }
+        Self { corners, at_most: u64::MAX, face: 0, worst: 0 }
     }
 
-    /// Finds a bound; a small one need not be the best.
-    pub(super) fn bound<V: Volume>(&mut self, to: &Bvh<V>, limit: u64) {
+    /// Finds a bound; a small one need not be the best. Whether cutting can lower it.
+    pub(super) fn bound<V: Volume>(&mut self, to: &Bvh<V>, limit: u64) -> bool {
         // From a corner, no point is farther away than another corner.
         let nearest = self.corners.iter().map(|corner| corner.at_most).min().unwrap_or(0);
-        self.at_most = nearest + self.diameter() + self.roundings;
-        if self.at_most <= limit {
-            return;
+        let roundings = self.corners.iter().map(|corner| corner.roundings).max().unwrap_or(0);
+        let diameter = self.diameter();
+        self.at_most = nearest + diameter + roundings;
+        if self.at_most <= limit || diameter <= roundings {
+            return false;
         }
+        // Corners are often as near to several faces, of which few are near to the rest.
+        let mut places: Vec<u32> = self.corners.iter().map(|corner| corner.place).collect();
+        let middle = self.middle();
+        places.push(to.nearest_or(to.nearest_on(places[0], middle), middle).place);
+        places.sort_unstable();
+        places.dedup();
         let mut least = u64::MAX;
-        for k in 0..self.corners.len() {
-            let place = self.corners[k].place;
-            if self.corners[..k].iter().any(|corner| corner.place == place) {
-                continue;
-            }
+        for place in places {
             let triangle = &to.triangles[place as usize];
             let distances = self.corners.iter().map(|corner| {
                 let nearest = closest_point_triangle(corner.position, triangle);
@@ -92,7 +96,8 @@ impl Piece {
             }
         }
         // At most 2^62, like all distances.
-        self.at_most = self.at_most.min(least + self.roundings);
+        self.at_most = self.at_most.min(least + roundings);
+        self.at_most > limit
     }
 
     /// Where to cut: along an edge of the face that bounds it, so that on one side the bound is the
@@ -164,16 +169,23 @@ impl Piece {
         Cut { ends }
     }
 
-    /// Where an end of a cut is, and which faces are near.
-    pub(super) fn on_edge(&self, end: End) -> (Vec3, [u32; 2]) {
+    /// The corner at which a cut ends, if there is one; else where it is to be, how often it is
+    /// rounded then, and which faces are near.
+    pub(super) fn end(&self, end: End) -> Result<Corner, (Vec3, u64, [u32; 2])> {
         let [from, to] = [end.corner, (end.corner + 1) % self.corners.len()];
         let [from, to] = [self.corners[from], self.corners[to]];
+        if end.share == 0 {
+            return Ok(from);
+        }
         let (start, way) = (from.position.raw(), sub(to.position.raw(), from.position.raw()));
         // Below 2^41 * 2^30.
         let part = way
             .map(|c| to_i64(round_shift_wide(i128::from(c) * i128::from(end.share), SHARE_BITS)));
-        let position = Vec3::from_raw([0, 1, 2].map(|k| start[k] + part[k]));
-        (position, [from.place, to.place])
+        Err((
+            Vec3::from_raw(add(start, part)),
+            from.roundings.max(to.roundings) + 1,
+            [from.place, to.place],
+        ))
     }
 
     /// Both parts, given the corners at the ends of the cut.
@@ -189,15 +201,27 @@ impl Piece {
                 part.pop();
             }
             part.push(corners[1 - half]);
-            Self { roundings: self.roundings + 1, ..Self::new(part) }
+            Self::new(part)
         })
+    }
+
+    /// The mean of the corners, rounded down.
+    fn middle(&self) -> Vec3 {
+        let start = self.corners[0].position.raw();
+        let (mut sum, mut count) = ([0; 3], 0);
+        for corner in &self.corners {
+            // Differences are below 2^42.
+            sum = add(sum, sub(corner.position.raw(), start));
+            count += 1;
+        }
+        Vec3::from_raw(add(start, sum.map(|c| c.div_euclid(count))))
     }
 
     /// No two corners are farther apart.
     fn diameter(&self) -> u64 {
         let corners = self.corners.iter().map(|corner| corner.position);
         let pairs = corners.clone().flat_map(|a| corners.clone().map(move |b| b - a));
-        root_up(pairs.map(Vec3::length_sq_wide).max().unwrap_or(0))
+        roots(pairs.map(Vec3::length_sq_wide).max().unwrap_or(0))[1]
     }
 
     fn span(&self) -> u64 {
@@ -210,15 +234,16 @@ impl Piece {
 /// most, and not at all at a corner.
 fn distance(square: u128, feature: Feature) -> [u64; 2] {
     let slack = u64::from(!matches!(feature, Feature::Vertex(_)));
-    // Squares are below 3 * 2^124.
-    let floor = isqrt_wide(square) as u64;
-    [floor.saturating_sub(slack), root_up(square) + slack]
+    let [floor, ceiling] = roots(square);
+    [floor.saturating_sub(slack), ceiling + slack]
 }
 
-/// The square root, rounded up.
-fn root_up(square: u128) -> u64 {
+/// The square root of the square of a distance, rounded down and up.
+fn roots(square: u128) -> [u64; 2] {
     let floor = isqrt_wide(square);
-    (floor + u128::from(floor * floor < square)) as u64 // below 2^63
+    // Squares are below 3 * 2^124: roots fit.
+    [floor, floor + u128::from(floor * floor < square)]
+        .map(|root| to_i64(root.cast_signed()).unsigned_abs())
 }
 
 /// The one with the greatest bound is greatest; how they are ordered else decides nothing but which
