@@ -9,12 +9,14 @@
 //! Then the lower number wins, which only triangles without an area leave to decide.
 
 mod blend;
+mod convex;
 mod normal;
 mod point_segment;
 mod point_triangle;
 mod segment_segment;
 mod width;
 
+pub(crate) use convex::closest_convex;
 pub use normal::{normal_point_segment, normal_point_triangle, normal_segment_segment};
 pub use point_segment::closest_point_segment;
 pub use point_triangle::closest_point_triangle;

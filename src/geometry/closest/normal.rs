@@ -1,5 +1,7 @@
 //! Directions between nearest points: from exact vectors, not from the rounded points.
 
+use core::cmp::Ordering;
+
 use super::width::{Area, Narrow, Wide, Width, is_narrow};
 use crate::geometry::{Feature, Segment, Triangle};
 use crate::math::{UnitVec3, Vec3};
@@ -61,51 +63,71 @@ fn place(end: u8) -> usize {
 }
 
 fn to_segment<W: Width>(point: Vec3, ends: [Vec3; 2], on: Feature) -> Option<UnitVec3> {
-    if let Feature::Vertex(end) = on {
-        return to_point::<W>(point, ends[place(end)]);
-    }
-    across::<W>(W::difference(ends[1], ends[0]), W::difference(ends[0], point))
+    W::Area::direction(match on {
+        Feature::Vertex(end) => to_point::<W>(point, ends[place(end)]),
+        _ => to_line::<W>(point, ends),
+    })
 }
 
 fn to_triangle<W: Width>(point: Vec3, corners: &[Vec3; 3], on: Feature) -> Option<UnitVec3> {
-    if let Feature::Vertex(corner) = on {
-        return to_point::<W>(point, corners[usize::from(corner.min(2))]);
-    }
-    let [e, f] = [1, 2].map(|end| W::difference(corners[end], corners[0]));
-    towards::<W>(W::cross(e, f), W::difference(corners[0], point))
+    W::Area::direction(match on {
+        Feature::Vertex(corner) => to_point::<W>(point, corners[usize::from(corner.min(2))]),
+        _ => to_plane::<W>(point, corners),
+    })
 }
 
 fn between_edges<W: Width>(a: [Vec3; 2], b: [Vec3; 2]) -> Option<UnitVec3> {
     let [u, v] = [a, b].map(|[from, to]| W::difference(to, from));
     let normal = W::cross(u, v);
     let way = W::difference(b[0], a[0]);
-    if normal == [W::Dot::default(); 3] { across::<W>(u, way) } else { towards::<W>(normal, way) }
+    W::Area::direction(if normal == [W::Dot::default(); 3] {
+        across::<W>(u, way)
+    } else {
+        towards::<W>(normal, way)
+    })
 }
 
-fn to_point<W: Width>(from: Vec3, to: Vec3) -> Option<UnitVec3> {
-    W::Area::direction(W::difference(to, from).map(|side| W::widen(W::raise(side))))
+/// The way from a point to another.
+#[inline]
+pub(super) fn to_point<W: Width>(from: Vec3, to: Vec3) -> [W::Area; 3] {
+    W::difference(to, from).map(|side| W::widen(W::raise(side)))
+}
+
+/// The way from a point to the line through two others, times the square of their distance.
+#[inline]
+pub(super) fn to_line<W: Width>(point: Vec3, [from, to]: [Vec3; 2]) -> [W::Area; 3] {
+    across::<W>(W::difference(to, from), W::difference(from, point))
+}
+
+/// The normal of three points, or the opposite one, whichever goes from a point to their plane;
+/// nothing from a point on it.
+#[inline]
+pub(super) fn to_plane<W: Width>(point: Vec3, corners: &[Vec3; 3]) -> [W::Area; 3] {
+    let [e, f] = [1, 2].map(|end| W::difference(corners[end], corners[0]));
+    towards::<W>(W::cross(e, f), W::difference(corners[0], point))
 }
 
 /// The part of a way that is at right angles to an edge: `way (e . e) - e (e . way)`.
-fn across<W: Width>(edge: [W::Side; 3], way: [W::Side; 3]) -> Option<UnitVec3> {
+#[inline]
+fn across<W: Width>(edge: [W::Side; 3], way: [W::Side; 3]) -> [W::Area; 3] {
     let (whole, along) = (W::dot(edge, edge), W::dot(edge, way));
-    W::Area::direction([0, 1, 2].map(|k| {
+    [0, 1, 2].map(|k| {
         let [way, edge] = [way[k], edge[k]].map(W::raise);
         W::minor(way, whole, edge, along)
-    }))
+    })
 }
 
-/// A normal, or the opposite one, whichever goes with a way; none across it.
-fn towards<W: Width>(normal: [W::Dot; 3], way: [W::Side; 3]) -> Option<UnitVec3> {
+/// A normal, or the opposite one, whichever goes with a way; nothing across it.
+#[inline]
+fn towards<W: Width>(normal: [W::Dot; 3], way: [W::Side; 3]) -> [W::Area; 3] {
     let zero = W::Dot::default();
     let sum = [0, 1, 2]
         .map(|k| W::minor(normal[k], W::raise(way[k]), zero, zero))
         .into_iter()
         .fold(W::Area::default(), W::Area::plus);
-    let direction = W::Area::direction(normal.map(W::widen))?;
     match sum.cmp(&W::Area::default()) {
-        core::cmp::Ordering::Less => Some(-direction),
-        core::cmp::Ordering::Equal => None,
-        core::cmp::Ordering::Greater => Some(direction),
+        Ordering::Less => normal.map(|c| W::widen(-c)),
+        Ordering::Equal => [W::Area::default(); 3],
+        Ordering::Greater => normal.map(W::widen),
     }
 }

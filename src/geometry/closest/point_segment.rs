@@ -2,7 +2,7 @@
 
 use super::ClosestPoint;
 use super::blend::blend;
-use super::width::{Narrow, Wide, Width, is_narrow};
+use super::width::{Area, Narrow, Wide, Width, is_narrow};
 use crate::geometry::{Feature, Segment};
 use crate::math::Vec3;
 
@@ -31,9 +31,7 @@ pub fn closest_point_segment(point: Vec3, segment: &Segment) -> ClosestPoint<2> 
 }
 
 fn closest<W: Width>(point: Vec3, ends: [Vec3; 2]) -> ClosestPoint<2> {
-    let along = W::difference(ends[1], ends[0]);
-    let reach = W::dot(along, W::difference(point, ends[0]));
-    Place::of::<W>(W::widen(reach), W::widen(W::dot(along, along))).on::<W>(ends)
+    Place::nearest::<W>(point, ends).on(ends)
 }
 
 /// Where on a segment.
@@ -47,13 +45,10 @@ pub(super) enum Place<A> {
     Between(A, A),
 }
 
-impl<A> Place<A> {
+impl<A: Area> Place<A> {
     /// `n / d`, or the end next to it; at the start of a segment without a length.
     #[inline]
-    pub(super) fn of<W: Width<Area = A>>(n: A, d: A) -> Self
-    where
-        A: super::width::Area,
-    {
+    pub(super) fn of(n: A, d: A) -> Self {
         if n <= A::default() {
             Self::Start
         } else if n >= d {
@@ -63,12 +58,17 @@ impl<A> Place<A> {
         }
     }
 
+    /// The place nearest to a point.
+    #[inline]
+    pub(super) fn nearest<W: Width<Area = A>>(point: Vec3, [from, to]: [Vec3; 2]) -> Self {
+        let along = W::difference(to, from);
+        let reach = W::dot(along, W::difference(point, from));
+        Self::of(W::widen(reach), W::widen(W::dot(along, along)))
+    }
+
     /// The point there.
     #[inline]
-    pub(super) fn on<W: Width<Area = A>>(self, ends: [Vec3; 2]) -> ClosestPoint<2>
-    where
-        A: super::width::Area,
-    {
+    pub(super) fn on(self, ends: [Vec3; 2]) -> ClosestPoint<2> {
         match self {
             Self::Start => ClosestPoint::at_corner(&ends, 0),
             Self::End => ClosestPoint::at_corner(&ends, 1),

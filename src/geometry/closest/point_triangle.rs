@@ -34,31 +34,71 @@ pub fn closest_point_triangle(point: Vec3, triangle: &Triangle) -> ClosestPoint<
 }
 
 fn closest<W: Width>(point: Vec3, corners: &[Vec3; 3]) -> ClosestPoint<3> {
-    let edges = [0, 1, 2].map(|i| W::difference(corners[(i + 1) % 3], corners[i]));
-    // How far along each edge the point is, of how much: both times the length of the edge.
-    let reach = [0, 1, 2].map(|i| W::dot(edges[i], W::difference(point, corners[i])));
-    let whole = edges.map(|edge| W::dot(edge, edge));
-    let zero = W::Dot::default();
-    for (corner, before) in [(0, 2), (1, 0), (2, 1_usize)] {
-        if reach[usize::from(corner)] <= zero && reach[before] >= whole[before] {
-            return ClosestPoint::at_corner(corners, corner);
-        }
-    }
-    let opposite = shares::<W>(edges, reach, whole);
-    for (edge, feature) in (0..3).zip([0, 1, 2].map(Feature::Edge)) {
-        let between = zero <= reach[edge] && reach[edge] <= whole[edge] && zero < whole[edge];
-        if between && opposite[edge] <= W::Area::default() {
-            let ends = [edge, (edge + 1) % 3];
-            let [n, d] = [reach[edge], whole[edge]].map(W::widen);
-            let (position, shares) = blend(ends.map(|end| corners[end]), [d.minus(n), n]);
+    let part = Part::nearest::<W>(point, corners);
+    let feature = part.feature();
+    match part {
+        Part::Corner(corner) => ClosestPoint::at_corner(corners, corner),
+        Part::Edge(edge, on_edge) => {
+            let ends = ends_of(edge);
+            let (position, on_edge) = blend(ends.map(|end| corners[end]), on_edge);
             let mut weights = [Unit::ZERO; 3];
-            (weights[ends[0]], weights[ends[1]]) = (shares[0], shares[1]);
-            return ClosestPoint { position, feature, weights };
+            (weights[ends[0]], weights[ends[1]]) = (on_edge[0], on_edge[1]);
+            ClosestPoint { position, feature, weights }
+        }
+        Part::Face(shares) => {
+            let (position, weights) = blend(*corners, shares);
+            ClosestPoint { position, feature, weights }
         }
     }
-    let [c, a, b] = opposite;
-    let (position, weights) = blend(*corners, [a, b, c]);
-    ClosestPoint { position, feature: Feature::Face, weights }
+}
+
+/// The part of a triangle that is nearest to a point, and in what shares its corners make up the
+/// foot.
+pub(super) enum Part<A> {
+    Corner(u8),
+    Edge(u8, [A; 2]),
+    Face([A; 3]),
+}
+
+/// The corners at the ends of an edge.
+#[inline]
+pub(super) fn ends_of(edge: u8) -> [usize; 2] {
+    let from = usize::from(edge);
+    [from, (from + 1) % 3]
+}
+
+impl<A: Area> Part<A> {
+    fn feature(&self) -> Feature {
+        match *self {
+            Self::Corner(corner) => Feature::Vertex(corner),
+            Self::Edge(edge, _) => Feature::Edge(edge),
+            Self::Face(_) => Feature::Face,
+        }
+    }
+
+    pub(super) fn nearest<W: Width<Area = A>>(point: Vec3, corners: &[Vec3; 3]) -> Self {
+        let edges = [0, 1, 2].map(|i| W::difference(corners[(i + 1) % 3], corners[i]));
+        // How far along each edge the point is, of how much: both times the length of the edge.
+        let reach = [0, 1, 2].map(|i| W::dot(edges[i], W::difference(point, corners[i])));
+        let whole = edges.map(|edge| W::dot(edge, edge));
+        let zero = W::Dot::default();
+        for (corner, before) in [(0, 2), (1, 0), (2, 1_usize)] {
+            if reach[usize::from(corner)] <= zero && reach[before] >= whole[before] {
+                return Self::Corner(corner);
+            }
+        }
+        let opposite = shares::<W>(edges, reach, whole);
+        for edge in [0, 1, 2_u8] {
+            let i = usize::from(edge);
+            let between = zero <= reach[i] && reach[i] <= whole[i] && zero < whole[i];
+            if between && opposite[i] <= A::default() {
+                let [n, d] = [reach[i], whole[i]].map(W::widen);
+                return Self::Edge(edge, [d.minus(n), n]);
+            }
+        }
+        let [c, a, b] = opposite;
+        Self::Face([a, b, c])
+    }
 }
 
 /// The barycentric coordinates of a point's shadow on the plane, by the edge that is opposite to

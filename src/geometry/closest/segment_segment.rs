@@ -35,7 +35,7 @@ pub fn closest_segment_segment(a: &Segment, b: &Segment) -> [ClosestPoint<2>; 2]
 
 fn closest<W: Width>(a: [Vec3; 2], b: [Vec3; 2]) -> [ClosestPoint<2>; 2] {
     let [place_a, place_b] = places::<W>(a, b);
-    [place_a.on::<W>(a), place_b.on::<W>(b)]
+    [place_a.on(a), place_b.on(b)]
 }
 
 /// With the ways u along A and v along B, and w from the start of B to that of A, the lines are
@@ -47,8 +47,8 @@ fn places<W: Width>(a: [Vec3; 2], b: [Vec3; 2]) -> [Place<W::Area>; 2] {
     let (uu, vv, uv) = (W::dot(u, u), W::dot(v, v), W::dot(u, v));
     let (uw, vw) = (W::dot(u, w), W::dot(v, w));
     // Nearest to the start and to the end of the other segment.
-    let on_a = |from: W::Dot| Place::of::<W>(W::widen(from), W::widen(uu));
-    let on_b = |from: W::Dot| Place::of::<W>(W::widen(from), W::widen(vv));
+    let on_a = |from: W::Dot| Place::of(W::widen(from), W::widen(uu));
+    let on_b = |from: W::Dot| Place::of(W::widen(from), W::widen(vv));
     let lines = W::minor(uu, vv, uv, uv);
     if lines <= W::Area::default() {
         let place_a = middle::<W>(uu, uv, uw);
@@ -60,11 +60,11 @@ fn places<W: Width>(a: [Vec3; 2], b: [Vec3; 2]) -> [Place<W::Area>; 2] {
         };
         return [place_a, place_b];
     }
-    let place_a = Place::of::<W>(W::minor(uv, vw, uw, vv), lines);
+    let place_a = Place::of(W::minor(uv, vw, uw, vv), lines);
     let place_b = match place_a {
         Place::Start => on_b(vw),
         Place::End => on_b(uv + vw),
-        Place::Between(..) => Place::of::<W>(W::minor(uu, vw, uv, uw), lines),
+        Place::Between(..) => Place::of(W::minor(uu, vw, uv, uw), lines),
     };
     match place_b {
         Place::Start => [on_a(-uw), place_b],
@@ -81,5 +81,5 @@ fn middle<W: Width>(uu: W::Dot, uv: W::Dot, uw: W::Dot) -> Place<W::Area> {
     let low = ends[0].min(ends[1]).max(zero);
     let high = ends[0].max(ends[1]).min(uu);
     let [low, high, uu] = [low, high, uu].map(W::widen);
-    Place::of::<W>(low.plus(high), uu.plus(uu))
+    Place::of(low.plus(high), uu.plus(uu))
 }

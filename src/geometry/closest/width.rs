@@ -38,6 +38,8 @@ pub(super) trait Width {
 
 /// An integer that wraps.
 pub(super) trait Area: Copy + Ord + Default {
+    /// The number after this one.
+    fn successor(self) -> Self;
     fn plus(self, other: Self) -> Self;
     fn minus(self, other: Self) -> Self;
     fn times(self, length: i64) -> Self;
@@ -61,6 +63,13 @@ pub(super) enum Wide {}
 #[inline]
 pub(super) fn is_narrow(points: impl IntoIterator<Item = Vec3>) -> bool {
     Aabb::around(points).is_some_and(|bounds| bounds.span() <= NARROW_MAX.unsigned_abs())
+}
+
+/// Whether all of these points are within a box of 2^29, and so the differences between any two
+/// ways from one to another are narrow.
+#[inline]
+pub(super) fn is_narrow_by_half(points: impl IntoIterator<Item = Vec3>) -> bool {
+    Aabb::around(points).is_some_and(|bounds| bounds.span() <= NARROW_MAX.unsigned_abs() / 2)
 }
 
 impl Width for Narrow {
@@ -133,6 +142,11 @@ impl Width for Wide {
 
 impl Area for i128 {
     #[inline]
+    fn successor(self) -> Self {
+        self.wrapping_add(1)
+    }
+
+    #[inline]
     fn plus(self, other: Self) -> Self {
         self.wrapping_add(other)
     }
@@ -165,6 +179,10 @@ impl Area for i128 {
 }
 
 impl Area for Int256 {
+    fn successor(self) -> Self {
+        self + Self::from(1)
+    }
+
     fn plus(self, other: Self) -> Self {
         self + other
     }
