@@ -42,6 +42,8 @@ mod mesh;
 mod motion;
 /// Candidate pairs: every partition against every pair.
 mod partition;
+/// Distances, casts and sets of shapes against twins in floats.
+mod query;
 /// Constraints and contacts against the textbook and a naive twin.
 mod relaxation;
 /// Recordings that prove themselves, and those that do not.

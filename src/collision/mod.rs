@@ -1,11 +1,34 @@
 //! Floor 5: where shapes touch. Shapes and where they are; no bodies, no velocity, no material.
+//!
+//! # Pairs
+//!
+//! Any [`Shape`] can be asked about any other: how far apart they are ([`closest_points`],
+//! [`distance`]), whether they [`overlap`], and when one that moves touches the other ([`cast`],
+//! [`cast_segment`]). How it is found out:
+//!
+//! | | half-space | sphere, capsule, box, hull, triangle | mesh, height field |
+//! |---|---|---|---|
+//! | half-space | the gap of planes | the lowest corner | the lowest corner of any face |
+//! | sphere | corner | hull to hull | hull to each face near |
+//! | capsule | corner | hull to hull | hull to each face near |
+//! | box | corner | hull to hull | hull to each face near |
+//! | hull | corner | hull to hull | hull to each face near |
+//! | triangle | corner | hull to hull | hull to each face near |
+//! | mesh | corner | face to hull | each face to each near |
+//! | height field | corner | face to hull | each face to each near |
+//!
+//! Spheres and capsules are hulls of one and of two points, with a radius. Meshes and height fields
+//! are surfaces: what is behind a face does not overlap. A set of shapes is a [`Colliders`].
 
 #![allow(
     clippy::cast_possible_truncation,
     reason = "counts and places are small; the bound stands beside each cast"
 )]
 
+mod cast;
+mod colliders;
 mod convex;
+mod distance;
 mod feature;
 mod few;
 mod manifold;
@@ -14,7 +37,10 @@ mod shape;
 mod surface;
 mod width;
 
+pub use cast::{Cast, Touch, cast, cast_segment};
+pub use colliders::{Collider, ColliderError, ColliderId, Colliders, Filter, Layers};
 pub use convex::manifold_cuboid_cuboid;
+pub use distance::{Closest, closest_points, distance, overlap};
 pub use feature::{FeatureId, FeatureKind};
 pub use manifold::{Contact, Manifold};
 pub use shape::Shape;

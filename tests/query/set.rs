@@ -1,0 +1,141 @@
+//! Sets of colliders, against asking them one by one.
+
+use verlock::Vec3;
+use verlock::collision::{
+    Collider, ColliderError, ColliderId, Colliders, Filter, Layers, Shape, cast, cast_segment,
+    closest_points, overlap,
+};
+use verlock::geometry::{HalfSpace, Segment, Sphere};
+use verlock::math::{Pcg, Real, UnitVec3};
+use verlock::store::Handle;
+
+use super::{Draw, KINDS};
+
+/// A set that saw some coming and going, and what is in it.
+fn crowd(seed: u64, half_spaces: bool) -> (Colliders, Vec<(ColliderId, Collider)>, Draw) {
+    let mut draw = Draw { rng: Pcg::new(seed, 40), unit: 1 << 12, most: 1 << 12 };
+    let mut set = Colliders::new();
+    let mut all: Vec<(ColliderId, Collider)> = Vec::new();
+    for step in 0..120 {
+        let kind = usize::from(!half_spaces) + draw.below(7 - i64::from(!half_spaces)) as usize;
+        let at = draw.way(1 << 14);
+        let Some(shape) = draw.shape(kind, at) else { continue };
+        let layers = Layers { on: 1 << draw.below(3), mask: draw.rng.next_u32() | 1 };
+        let collider = Collider { shape: shape.clone(), layers, user_data: step };
+        match draw.below(5) {
+            0 if !all.is_empty() => {
+                let (id, _) = all.swap_remove(draw.below(all.len() as i64 - 1) as usize);
+                assert!(set.remove(id).is_some() && set.remove(id).is_none());
+                assert_eq!(set.set_shape(id, shape), Err(ColliderError::UnknownId));
+            }
+            1 if !all.is_empty() => {
+                let place = draw.below(all.len() as i64 - 1) as usize;
+                set.set_shape(all[place].0, shape.clone()).expect("in range");
+                all[place].1.shape = shape;
+            }
+            _ => all.push((set.insert(collider.clone()).expect("in range"), collider)),
+        }
+    }
+    all.sort_by_key(|&(id, _)| id);
+    assert_eq!(set.len(), all.len());
+    let ids = |id: &(ColliderId, &Collider)| (id.0, id.1.user_data);
+    let expected: Vec<_> = all.iter().map(|(id, c)| (*id, c.user_data)).collect();
+    assert_eq!(set.iter().map(|entry| ids(&entry)).collect::<Vec<_>>(), expected);
+    (set, all, draw)
+}
+
+#[test]
+fn a_set_answers_as_its_members_would() {
+    let mut answers = [0; 4];
+    for seed in 0..6 {
+        let (set, all, mut draw) = crowd(seed, seed % 2 == 0);
+        let odd = |id: ColliderId, _: &Collider| id.0.index % 2 == 1;
+        let some = Filter { layers: Layers { on: 1, mask: 3 }, predicate: &odd };
+        for round in 0..30 {
+            let filter = if round % 2 == 0 { &Filter::ALL } else { &some };
+            let counts = |(id, c): &&(ColliderId, Collider)| {
+                round % 2 == 0 || (c.layers.on & 3 != 0 && c.layers.mask & 1 != 0 && odd(*id, c))
+            };
+            let at = draw.way(1 << 14);
+            let Some(shape) = draw.shape(round % KINDS.len(), at) else { continue };
+            let motion = draw.way(1 << 14);
+            let members = || all.iter().filter(counts);
+
+            let mut hits: Vec<_> = members()
+                .filter_map(|(id, c)| Some((*id, cast(&shape, motion, &c.shape)?)))
+                .collect();
+            hits.sort_by_key(|(id, hit)| (hit.time, *id));
+            assert_eq!(set.cast(&shape, motion, filter), hits);
+
+            let segment = Segment::new([at, at + motion]).expect("in range");
+            let mut crossed: Vec<_> = members()
+                .filter_map(|(id, c)| Some((*id, cast_segment(&segment, &c.shape)?)))
+                .collect();
+            crossed.sort_by_key(|(id, hit)| (hit.time, *id));
+            assert_eq!(set.cast_segment(&segment, filter), crossed);
+
+            let over = |other: &Shape| overlap(&shape, other);
+            let ids: Vec<_> = members().filter(|(_, c)| over(&c.shape)).map(|m| m.0).collect();
+            assert_eq!(set.overlaps(&shape, filter), ids);
+            let holds: Vec<_> =
+                members().filter(|(_, c)| c.shape.contains(at)).map(|m| m.0).collect();
+            assert_eq!(set.at_point(at, filter), holds);
+
+            let reach = Real::from_raw(1 << 25);
+            let mut near: Vec<_> = members()
+                .map(|(id, c)| (*id, closest_points(&shape, &c.shape)))
+                .filter(|(_, c)| c.is_none_or(|c| c.distance <= reach))
+                .collect();
+            near.sort_by_key(|(id, c)| (c.map_or(Real::ZERO, |c| c.distance), *id));
+            assert_eq!(set.closest(&shape, reach, filter), near);
+            for (answers, len) in
+                answers.iter_mut().zip([hits.len(), crossed.len(), ids.len(), near.len()])
+            {
+                *answers += len;
+            }
+        }
+    }
+    assert!(answers.iter().all(|&n| n > 100), "{answers:?}");
+}
+
+/// A set is what is in it, not how that came about.
+#[test]
+fn history_does_not_matter() {
+    let ball = |x: i32| Sphere::new(Vec3::from_ints(x, 0, 0), Real::ONE).expect("legal");
+    let floor = HalfSpace::new(Vec3::ZERO, UnitVec3::Y).expect("legal");
+    let mut set = Colliders::new();
+    let ids = [0, 3, 6].map(|x| set.insert(ball(x).into()).expect("room"));
+    let probe = ball(3).into();
+    assert_eq!(set.overlaps(&probe, &Filter::ALL), [ids[1]]);
+    // From a shape with a box to one without, and back.
+    set.set_shape(ids[0], floor).expect("legal");
+    assert_eq!(set.overlaps(&probe, &Filter::ALL), ids[..2]);
+    set.set_shape(ids[0], floor).expect("legal");
+    set.set_shape(ids[0], ball(4)).expect("legal");
+    assert_eq!(set.overlaps(&probe, &Filter::ALL), ids[..2]);
+    assert!(set.remove(ids[1]).is_some());
+    assert_eq!(set.overlaps(&probe, &Filter::ALL), ids[..1]);
+    let heir = set.insert(ball(3).into()).expect("room");
+    assert_eq!(heir.0, Handle::new(ids[1].0.index, 3));
+    assert!(set.get(ids[1]).is_none() && set.get(heir).is_some());
+}
+
+/// What is refused changes nothing.
+#[test]
+fn what_is_out_of_range_is_refused() {
+    let mut set = Colliders::new();
+    let edge = Vec3::from_raw([1 << 60, 0, 0]);
+    let beyond = Sphere::new(edge, Real::ONE).expect("a legal ball");
+    assert_eq!(set.insert(beyond.into()), Err(ColliderError::OutOfRange));
+    assert!(set.is_empty());
+    let id = set.insert(Sphere::new(edge, Real::ZERO).expect("legal").into()).expect("in range");
+    assert_eq!(id.0, Handle::new(0, 3));
+    assert_eq!(set.set_shape(id, beyond), Err(ColliderError::OutOfRange));
+    assert_eq!(set.at_point(edge, &Filter::ALL), [id]);
+    assert_eq!(set.at_point(Vec3::from_raw([i64::MAX; 3]), &Filter::ALL), []);
+    let floor = HalfSpace::new(Vec3::ZERO, UnitVec3::Y).expect("legal");
+    set.set_shape(id, floor).expect("legal");
+    assert_eq!(set.set_shape(id, beyond), Err(ColliderError::OutOfRange));
+    assert_eq!(set.overlaps(&beyond.into(), &Filter::ALL), [id]);
+    assert_eq!(ColliderError::OutOfRange.to_string(), "collider is out of range");
+}
