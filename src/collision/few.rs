@@ -44,7 +44,14 @@ impl<T: Copy + Default, const N: usize> FromIterator<T> for Few<T, N> {
     #[inline]
     fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
         let mut few = Self::new();
-        items.into_iter().for_each(|item| few.push(item));
+        few.extend(items);
         few
+    }
+}
+
+impl<T: Copy + Default, const N: usize> Extend<T> for Few<T, N> {
+    #[inline]
+    fn extend<I: IntoIterator<Item = T>>(&mut self, items: I) {
+        items.into_iter().for_each(|item| self.push(item));
     }
 }

@@ -20,9 +20,17 @@ pub(super) trait Width {
         + Default
         + Add<Output = Self::Reach>
         + Sub<Output = Self::Reach>
-        + Neg<Output = Self::Reach>;
+        + Neg<Output = Self::Reach>
+        + Into<i128>;
     /// A component of a cross product.
-    type Minor: Copy;
+    type Minor: Copy + Default;
+
+    /// How wrong a separation along a [shortened](Self::shorten) axis may be, raw.
+    ///
+    /// Its components are cut off by less than a unit, the longest is 2^29 at least: that turns the
+    /// axis by less than 2^-28, and a reach of `2 S` by less than `S / 2^27`, in the separation and
+    /// in the length; as much again is for directions that are rounded.
+    const SLACK: i64;
 
     /// The dot product of a direction and a difference.
     fn along(direction: UnitVec3, d: [i64; 3]) -> Self::Reach;
@@ -40,14 +48,15 @@ pub(super) trait Width {
     /// The direction of a cross product; none of 0.
     fn normalize(cross: [Self::Minor; 3]) -> Option<UnitVec3>;
 
-    /// The sum of the magnitudes of a cross product: at least its length.
-    fn length_max(cross: [Self::Minor; 3]) -> i128;
+    /// A vector along a cross product that is as short as a direction, of any length: exact where
+    /// it need not be shortened.
+    fn shorten(cross: [Self::Minor; 3]) -> UnitVec3;
 
     /// The dot product of a cross product and a difference.
     fn volume(cross: [Self::Minor; 3], d: [i64; 3]) -> i128;
 
-    /// `direction * length`, in raw units.
-    fn step(direction: UnitVec3, length: i64) -> [i64; 3];
+    /// `d * share`, where the share is times 2^30; or `direction * length`, likewise.
+    fn scale(d: [i64; 3], share: i64) -> [i64; 3];
 }
 
 /// For `S <= 2^30` (64 m). Directions are at most 2^30 by components, as differences are: reaches
@@ -65,6 +74,8 @@ impl Narrow {
 }
 
 impl Width for Narrow {
+    const SLACK: i64 = 1 << 6;
+
     type Reach = i64;
     type Minor = i64;
 
@@ -95,9 +106,10 @@ impl Width for Narrow {
     }
 
     #[inline]
-    fn length_max(cross: [i64; 3]) -> i128 {
-        // At most 3 * 2^61.
-        i128::from(cross[0].abs() + cross[1].abs() + cross[2].abs())
+    fn shorten(cross: [i64; 3]) -> UnitVec3 {
+        let bits = cross.iter().fold(0, |bits, minor| bits | minor ^ minor >> 63);
+        let surplus = (i64::BITS - bits.leading_zeros()).saturating_sub(30);
+        UnitVec3::from_raw(cross.map(|minor| (minor >> surplus) as i32))
     }
 
     #[inline]
@@ -106,12 +118,15 @@ impl Width for Narrow {
     }
 
     #[inline]
-    fn step(direction: UnitVec3, length: i64) -> [i64; 3] {
-        direction.raw().map(|c| round_shift(c * length, 30))
+    fn scale(d: [i64; 3], share: i64) -> [i64; 3] {
+        // At most 2^30 times 2^31.
+        d.map(|c| round_shift(c * share, 30))
     }
 }
 
 impl Width for Wide {
+    const SLACK: i64 = 1 << 18;
+
     type Reach = i128;
     type Minor = i128;
 
@@ -137,15 +152,17 @@ impl Width for Wide {
         UnitVec3::normalize_wide(cross)
     }
 
-    fn length_max(cross: [i128; 3]) -> i128 {
-        cross.iter().map(|minor| minor.abs()).sum()
+    fn shorten(cross: [i128; 3]) -> UnitVec3 {
+        let bits = cross.iter().fold(0, |bits, minor| bits | minor ^ minor >> 127);
+        let surplus = (i128::BITS - bits.leading_zeros()).saturating_sub(30);
+        UnitVec3::from_raw(cross.map(|minor| (minor >> surplus) as i32))
     }
 
     fn volume(cross: [i128; 3], d: [i64; 3]) -> i128 {
         determinant::dot(&cross, d)
     }
 
-    fn step(direction: UnitVec3, length: i64) -> [i64; 3] {
-        direction.raw().map(|c| to_i64(round_shift_wide(i128::from(c) * i128::from(length), 30)))
+    fn scale(d: [i64; 3], share: i64) -> [i64; 3] {
+        d.map(|c| to_i64(round_shift_wide(i128::from(c) * i128::from(share), 30)))
     }
 }

@@ -1,7 +1,6 @@
 //! Two boxes: separating axes, then clipping.
 
 use super::pair::Pair;
-use crate::collision::few::Few;
 use crate::collision::patch::{Corner, Outline, TIE, patch};
 use crate::collision::width::{Narrow, Wide, Width};
 use crate::collision::{FeatureId, Manifold};
@@ -46,19 +45,16 @@ fn manifold<W: Width>(a: &Cuboid, b: &Cuboid, pair: &Pair) -> Option<Manifold> {
         Edges::Apart => None,
         Edges::Best(normal, [i, j]) => {
             let outlines = [a.facing::<W>(normal, i), b.facing::<W>(-normal, j)];
-            let touches = patch::<W>(normal, outlines.each_ref(), pair.margin);
-            pair.manifold(normal, &touches)
+            patch::<W>(normal, outlines.each_ref(), pair.margin, pair.origin)
         }
         Edges::Worse if of_b.separation > of_a.separation + TIE => {
             let outlines = [b.face(of_b.axis, of_b.is_against), a.facing::<W>(of_b.normal, 3)];
-            let touches = patch::<W>(-of_b.normal, outlines.each_ref(), pair.margin);
-            let touches: Few<_, 4> = touches.iter().map(|touch| touch.flipped()).collect();
-            pair.manifold(of_b.normal, &touches)
+            let patch = patch::<W>(-of_b.normal, outlines.each_ref(), pair.margin, pair.origin);
+            patch.map(|manifold| manifold.flipped())
         }
         Edges::Worse => {
             let outlines = [a.face(of_a.axis, !of_a.is_against), b.facing::<W>(-of_a.normal, 3)];
-            let touches = patch::<W>(of_a.normal, outlines.each_ref(), pair.margin);
-            pair.manifold(of_a.normal, &touches)
+            patch::<W>(of_a.normal, outlines.each_ref(), pair.margin, pair.origin)
         }
     }
 }
@@ -152,7 +148,7 @@ impl Posed {
 
     /// The face at the end of an edge, or against it.
     fn face(&self, axis: usize, is_along: bool) -> Outline {
-        let (u, v) = (NEXT[axis], NEXT[NEXT[axis]]);
+        let (u, v) = (NEXT[axis], LAST[axis]);
         let (u, v) = if is_along == self.is_mirrored { (v, u) } else { (u, v) };
         let at = |corner: usize| {
             (0..3).fold(self.center, |at, k| {
@@ -176,12 +172,13 @@ impl Posed {
     }
 }
 
-/// The axis after another.
+/// The axis after another, and the one after that.
 const NEXT: [usize; 3] = [1, 2, 0];
+const LAST: [usize; 3] = [2, 0, 1];
 
 /// The edge along an axis at a corner, as [`FeatureId`] numbers them.
 fn edge(corner: usize, axis: usize) -> u32 {
-    let (u, v) = (NEXT[axis], NEXT[NEXT[axis]]);
+    let (u, v) = (NEXT[axis], LAST[axis]);
     (4 * axis | corner >> u & 1 | (corner >> v & 1) << 1) as u32
 }
 
@@ -191,25 +188,24 @@ fn magnitude<R: Ord + Copy + core::ops::Neg<Output = R>>(reach: R) -> R {
 
 /// The best axis at right angles to an edge of each that separates by more than `least`.
 fn best_edges<W: Width>([a, b]: [&Posed; 2], way: [i64; 3], mut least: i64, margin: i64) -> Edges {
+    let zero = W::Reach::default();
     let mut best = Edges::Worse;
     for i in 0..3 {
         for j in 0..3 {
             let cross = W::cross(a.edges[i], b.edges[j]);
-            let along = |d| W::volume(cross, d);
+            let axis = W::shorten(cross);
+            let along = |d| W::along(axis, d);
             let way_along = along(way);
-            let (u, v) = (NEXT[i], NEXT[NEXT[i]]);
-            let of_a = along(a.edges[u]).abs() + along(a.edges[v]).abs();
-            let (u, v) = (NEXT[j], NEXT[NEXT[j]]);
-            let of_b = along(b.edges[u]).abs() + along(b.edges[v]).abs();
-            // The separation times the length of the axis. Below 2^126, see `Wide`: half-edges are
-            // below 2^40, which makes minors below 2^81.
-            let gap = way_along.abs() - of_a - of_b;
-            // Most axes need no root: `gap / length <= gap / length_max` where they overlap.
-            if gap <= i128::from(least.min(0)) * W::length_max(cross) {
+            let of_a = magnitude(along(a.edges[NEXT[i]])) + magnitude(along(a.edges[LAST[i]]));
+            let of_b = magnitude(along(b.edges[NEXT[j]])) + magnitude(along(b.edges[LAST[j]]));
+            // The separation times the length of the axis, which is at most the sum of its
+            // components: where they overlap most axes need no root.
+            let gap: i128 = (magnitude(way_along) - of_a - of_b).into();
+            if gap <= i128::from(least.min(0) - W::SLACK) * length_max(axis) {
                 continue;
             }
             let Some(normal) = W::normalize(cross) else { continue };
-            let normal = if way_along < 0 { -normal } else { normal };
+            let normal = if W::along(normal, way) < zero { -normal } else { normal };
             let reach = a.reach::<W>(normal) + b.reach::<W>(normal);
             let separation = W::round(W::along(normal, way) - reach);
             if separation > margin {
@@ -222,4 +218,9 @@ fn best_edges<W: Width>([a, b]: [&Posed; 2], way: [i64; 3], mut least: i64, marg
         }
     }
     best
+}
+
+/// At least the length of a vector.
+fn length_max(v: UnitVec3) -> i128 {
+    v.raw().iter().map(|c| i128::from(c.abs())).sum()
 }

@@ -1,17 +1,15 @@
 //! Two shapes that are near one another.
 
 use super::MARGIN_MAX;
-use crate::collision::Manifold;
-use crate::collision::patch::Touch;
 use crate::collision::width::Narrow;
 use crate::geometry::Aabb;
 use crate::math::wide::sub;
-use crate::math::{Real, UnitVec3, Vec3};
+use crate::math::{Real, Vec3};
 
 /// Where a pair is, and how large.
 pub(super) struct Pair {
     /// What positions are measured from: a point of the box around both.
-    origin: [i64; 3],
+    pub(super) origin: [i64; 3],
     /// Whether [`Narrow`] numbers do.
     pub(super) is_narrow: bool,
     /// Raw.
@@ -40,16 +38,5 @@ impl Pair {
     #[inline]
     pub(super) fn local(&self, point: Vec3) -> [i64; 3] {
         sub(point.raw(), self.origin)
-    }
-
-    /// The manifold of some touches, at most four.
-    #[inline]
-    pub(super) fn manifold(&self, normal: UnitVec3, touches: &[Touch]) -> Option<Manifold> {
-        let mut contacts = [Touch::default().contact([0; 3]); Manifold::CONTACTS_MAX];
-        let used = contacts.get_mut(..touches.len())?;
-        for (contact, touch) in used.iter_mut().zip(touches) {
-            *contact = touch.contact(self.origin);
-        }
-        Manifold::new(normal, [0; 2], used)
     }
 }

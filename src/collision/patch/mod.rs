@@ -13,80 +13,51 @@ mod outline;
 mod reduce;
 
 pub(super) use outline::{Corner, Outline};
+pub(super) use reduce::reduce;
 
 use super::few::Few;
 use super::width::Width;
-use super::{Contact, FeatureId};
-use crate::math::wide::{add, sub};
+use super::{Contact, FeatureId, Manifold};
+use crate::math::wide::sub;
 use crate::math::{Real, UnitVec3, Vec3};
-use clip::common;
-pub(super) use reduce::reduce;
 
 /// Lengths that differ by less count as one where a choice depends on it, raw: 31 um. So the noise
 /// of a stack at rest does not turn one manifold into another.
 pub(super) const TIE: i64 = 1 << 9;
 
-/// A contact, from the origin of the pair, raw.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Touch {
-    pub(super) features: [FeatureId; 2],
-    /// The points on A and on B.
-    pub(super) on: [[i64; 3]; 2],
-    pub(super) separation: i64,
-}
+/// Contacts that come one by one.
+pub(super) type Contacts = Few<Contact, 8>;
 
-impl Default for Touch {
-    fn default() -> Self {
-        Self { features: [FeatureId::face(0); 2], on: [[0; 3]; 2], separation: 0 }
-    }
-}
-
-impl Touch {
-    /// The same in the world. Places are below 2^60 there, and moved by less than 2^43.
-    #[inline]
-    pub(super) fn contact(self, origin: [i64; 3]) -> Contact {
-        let Self { features, on, separation } = self;
-        let [on_a, on_b] = on.map(|point| Vec3::from_raw(add(origin, point)));
-        Contact { features, on_a, on_b, separation: Real::from_raw(separation) }
-    }
-
-    /// With A and B exchanged.
-    #[inline]
-    pub(super) fn flipped(self) -> Self {
-        let Self { features: [a, b], on: [on_a, on_b], separation } = self;
-        Self { features: [b, a], on: [on_b, on_a], separation }
-    }
-}
-
-/// Up to four points in which two outlines touch, at most `margin` apart along `normal`, which
-/// points from the first to the second. There is always one: where they are deepest.
+/// Where two outlines touch, at most `margin` apart along `normal`, which points from the first to
+/// the second. There is always one point: where they are deepest.
 pub(super) fn patch<W: Width>(
     normal: UnitVec3,
-    outlines: [&Outline; 2],
+    [a, b]: [&Outline; 2],
     margin: i64,
-) -> Few<Touch, 4> {
-    let mut touches = common::<W>(normal, outlines, margin);
-    let deepest = deepest::<W>(normal, outlines);
-    let least = touches.iter().map(|touch| touch.separation).min();
-    if least.is_none_or(|least| least > deepest.separation + TIE) {
+    origin: [i64; 3],
+) -> Option<Manifold> {
+    let mut contacts = Contacts::new();
+    clip::common::<W>(normal, [a, b], |contact| {
+        if contact.separation.raw() <= margin {
+            contacts.push(contact.moved(origin));
+        }
+    });
+    let least = contacts.iter().map(|contact| contact.separation.raw()).min();
+    let (corner, reach) = b.lowest::<W>(normal);
+    let deepest = W::round(reach - a.reach::<W>(normal));
+    if least.is_none_or(|least| least > deepest + TIE) {
         // The corner that is deepest has slipped past a side.
-        touches = touches.iter().copied().filter(|t| t.features != deepest.features).collect();
-        touches.push(deepest);
+        let on_a = sub(corner.at, W::scale(normal.raw(), deepest));
+        let features = [a.face, FeatureId::vertex(corner.vertex)];
+        contacts = contacts.iter().filter(|kept| kept.features != features).copied().collect();
+        contacts.push(contact(features, [on_a, corner.at], deepest).moved(origin));
     }
-    reduce(normal, &touches)
+    reduce(normal, [0; 2], &contacts)
 }
 
-/// The corner of B that is deepest below A, whether it is over the face or not.
-fn deepest<W: Width>(normal: UnitVec3, [a, b]: [&Outline; 2]) -> Touch {
-    let (mut deepest, mut least) = (b.corners[0], W::along(normal, b.corners[0].at));
-    for &corner in &b.corners[1..] {
-        let reach = W::along(normal, corner.at);
-        if reach < least {
-            (deepest, least) = (corner, reach);
-        }
-    }
-    let separation = W::round(least - a.reach::<W>(normal));
-    let on_a = sub(deepest.at, W::step(normal, separation));
-    let features = [a.face, FeatureId::vertex(deepest.vertex)];
-    Touch { features, on: [on_a, deepest.at], separation }
+/// A contact of raw numbers.
+#[inline]
+pub(super) fn contact(features: [FeatureId; 2], on: [[i64; 3]; 2], separation: i64) -> Contact {
+    let [on_a, on_b] = on.map(Vec3::from_raw);
+    Contact { features, on_a, on_b, separation: Real::from_raw(separation) }
 }

@@ -7,7 +7,7 @@ use crate::math::UnitVec3;
 use crate::math::wide::{dot_wide, sub};
 
 /// A face as it is clipped; or an edge, of two corners, or a point.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(in crate::collision) struct Outline {
     /// Its name in its shape.
     pub(in crate::collision) face: FeatureId,
@@ -28,28 +28,37 @@ pub(in crate::collision) struct Corner {
 }
 
 impl Outline {
-    /// Whether it has an inside.
-    #[inline]
-    pub(super) fn is_face(&self) -> bool {
-        self.corners.len() > 2
-    }
-
-    /// The sides, by the places of their corners.
-    #[inline]
-    pub(super) fn sides(&self) -> impl Iterator<Item = [usize; 2]> + use<> {
-        let corners = self.corners.len();
-        // An edge has one.
-        let sides = if corners > 2 { corners } else { corners - 1 };
-        (0..sides).map(move |i| [i, if i + 1 < corners { i + 1 } else { 0 }])
-    }
-
     /// How far it reaches.
     #[inline]
     pub(super) fn reach<W: Width>(&self, direction: UnitVec3) -> W::Reach {
-        let along = |corner: &Corner| W::along(direction, corner.at);
-        let first = along(&self.corners[0]);
-        self.corners[1..].iter().map(along).fold(first, Ord::max)
+        -self.lowest::<W>(-direction).1
     }
+
+    /// The corner that reaches least far, of several the first, and how far.
+    #[inline]
+    pub(super) fn lowest<W: Width>(&self, direction: UnitVec3) -> (Corner, W::Reach) {
+        let (&first, rest) = self.corners.split_first().expect("outlines have corners");
+        let mut lowest = (first, W::along(direction, first.at));
+        for &corner in rest {
+            let reach = W::along(direction, corner.at);
+            if reach < lowest.1 {
+                lowest = (corner, reach);
+            }
+        }
+        lowest
+    }
+}
+
+/// How many sides so many corners have: an edge has one.
+#[inline]
+pub(super) const fn sides(corners: usize) -> usize {
+    if corners > 2 { corners } else { corners - 1 }
+}
+
+/// The corner after another one.
+#[inline]
+pub(super) const fn after(corner: usize, corners: usize) -> usize {
+    if corner + 1 < corners { corner + 1 } else { 0 }
 }
 
 /// The plane of a face, for heights along one direction.
@@ -62,20 +71,25 @@ pub(super) struct Plane<W: Width> {
 }
 
 impl<W: Width> Plane<W> {
-    /// None if the direction does not point out of the face.
+    /// None of what is no face, or does not look up.
     #[inline]
-    pub(super) fn new(face: &Outline, up: UnitVec3) -> Option<Self> {
-        let normal = face.normal;
-        let offset = face.reach::<W>(normal);
-        if normal == up {
-            return Some(Self { normal, offset, cosine: None });
-        }
+    pub(super) fn new(outline: &Outline, up: UnitVec3) -> Option<Self> {
+        let normal = outline.normal;
         // Close to 2^30 at most.
         let cosine = (dot_wide(normal.raw(), up.raw()) >> 30) as i64;
-        (face.is_face() && cosine > 0).then_some(Self { normal, offset, cosine: Some(cosine) })
+        (outline.corners.len() > 2 && cosine > 0).then(|| {
+            let cosine = (normal != up).then_some(cosine);
+            Self { normal, offset: outline.reach::<W>(normal), cosine }
+        })
     }
 
-    /// How far above it a point is, along the direction, raw.
+    /// Whether it is at right angles to the direction.
+    #[inline]
+    pub(super) const fn is_level(&self) -> bool {
+        self.cosine.is_none()
+    }
+
+    /// How far above it a point is, upwards, raw.
     #[inline]
     pub(super) fn height(&self, point: [i64; 3]) -> i64 {
         let reach = W::along(self.normal, point) - self.offset;
@@ -88,35 +102,34 @@ impl<W: Width> Plane<W> {
 
 /// On which sides of the sides of one outline the corners of another are.
 pub(super) struct Table {
-    /// Side after side the volumes of all corners: positive inside, in no particular unit.
+    /// Corner after corner its volumes with all sides: positive inside, in no particular unit.
     volumes: Few<i128, 16>,
-    corners: usize,
+    sides: usize,
 }
 
 impl Table {
     /// Seen from where `up` points to.
     #[inline]
-    pub(super) fn new<W: Width>(outline: &Outline, up: UnitVec3, other: &Outline) -> Self {
+    pub(super) fn new<W: Width>(outline: &[Corner], up: UnitVec3, others: &[Corner]) -> Self {
+        let sides = sides(outline.len());
+        let inwards: Few<_, 4> = (0..sides)
+            .map(|i| {
+                let (start, end) = (outline[i].at, outline[after(i, outline.len())].at);
+                (start, W::cross(up.raw(), sub(end, start)))
+            })
+            .collect();
         let mut volumes = Few::new();
-        for [i, next] in outline.sides() {
-            let start = outline.corners[i].at;
-            let inwards = W::cross(up.raw(), sub(outline.corners[next].at, start));
-            for corner in other.corners.iter() {
+        for corner in others {
+            for &(start, inwards) in inwards.iter() {
                 volumes.push(W::volume(inwards, sub(corner.at, start)));
             }
         }
-        Self { volumes, corners: other.corners.len() }
+        Self { volumes, sides }
     }
 
+    /// The volumes of a corner.
     #[inline]
-    pub(super) fn of(&self, side: usize, corner: usize) -> i128 {
-        self.volumes[side * self.corners + corner]
-    }
-
-    /// The least of a corner's.
-    #[inline]
-    pub(super) fn least(&self, corner: usize) -> i128 {
-        let volumes = self.volumes.iter().skip(corner).step_by(self.corners);
-        volumes.fold(i128::MAX, |least, &volume| least.min(volume))
+    pub(super) fn row(&self, corner: usize) -> &[i128] {
+        &self.volumes[corner * self.sides..][..self.sides]
     }
 }

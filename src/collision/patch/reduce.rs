@@ -1,54 +1,60 @@
 //! Few points that hold as many do.
 
-use super::{TIE, Touch};
-use crate::collision::Manifold;
+use super::TIE;
 use crate::collision::few::Few;
-use crate::math::UnitVec3;
-use crate::math::determinant::cross;
+use crate::collision::{Contact, Manifold};
 use crate::math::wide::{dot_wide, round_shift_wide, sub};
+use crate::math::{UnitVec3, Vec3};
 
 /// What is closer to the rest than this adds nothing, raw: 0.5 mm.
 const NEAR_SQ: i128 = 1 << 26;
 
-/// At most four of some touches: the deepest, the one farthest from it, the one that makes the
+/// At most four of some contacts: the deepest, the one farthest from it, the one that makes the
 /// largest triangle with both, and the one that adds most to that. Of equal ones the deeper, then
 /// the one with lower features.
-pub(in crate::collision) fn reduce(normal: UnitVec3, touches: &[Touch]) -> Few<Touch, 4> {
-    if touches.len() <= Manifold::CONTACTS_MAX {
-        return touches.iter().copied().collect();
+pub(in crate::collision) fn reduce(
+    normal: UnitVec3,
+    parts: [u32; 2],
+    contacts: &[Contact],
+) -> Option<Manifold> {
+    if contacts.len() <= Manifold::CONTACTS_MAX {
+        return Manifold::new(normal, parts, contacts);
     }
-    let mut kept = Few::new();
-    let mut keep = |touch: Option<Touch>| touch.inspect(|&touch| kept.push(touch));
-    let _ = keep(deepest(touches)).and_then(|first| {
-        let spread = |touch: &Touch| flat_length_sq(normal, sub(touch.on[0], first.on[0]));
-        let second = keep(best(touches, spread))?;
-        let third = keep(best(touches, |touch| area(normal, [&first, &second, touch]).abs()))?;
-        let turn = area(normal, [&first, &second, &third]).signum();
-        let sides = [[&first, &second], [&second, &third], [&third, &first]];
-        let added = |touch: &Touch| {
-            let beyond = sides.map(|[p, q]| -turn * area(normal, [p, q, touch]));
-            beyond.into_iter().fold(0, i128::max)
-        };
-        keep(best(touches, added))
-    });
-    kept
+    let first = deepest(contacts)?;
+    let shadow = Shadow::new(normal);
+    let area = |p: &Contact, q: &Contact, r: &Contact| shadow.area([p, q, r].map(|c| c.on_a));
+    let mut kept: Few<_, 4> = [first].into_iter().collect();
+    let spread = |next: &Contact| flat_length_sq(normal, sub(next.on_a.raw(), first.on_a.raw()));
+    if let Some(second) = best(contacts, spread) {
+        kept.push(second);
+        if let Some(third) = best(contacts, |next| area(&first, &second, next).abs()) {
+            kept.push(third);
+            let turn = area(&first, &second, &third).signum();
+            let sides = [(first, second), (second, third), (third, first)];
+            kept.extend(best(contacts, |next| {
+                sides.iter().fold(0, |most, (p, q)| most.max(-turn * area(p, q, next)))
+            }));
+        }
+    }
+    Manifold::new(normal, parts, &kept)
 }
 
 /// Of those that are as deep as any, up to noise, the one with the lowest features.
-fn deepest(touches: &[Touch]) -> Option<Touch> {
-    let least = touches.iter().map(|touch| touch.separation).min()?;
-    let deep = touches.iter().filter(|touch| touch.separation <= least + TIE);
-    deep.min_by_key(|touch| touch.features).copied()
+fn deepest(contacts: &[Contact]) -> Option<Contact> {
+    let least = contacts.iter().map(|contact| contact.separation).min()?;
+    let deep = contacts.iter().filter(|contact| contact.separation.raw() <= least.raw() + TIE);
+    deep.min_by_key(|contact| contact.features).copied()
 }
 
-/// The touch with the greatest score, if that is worth a point.
-fn best(touches: &[Touch], score: impl Fn(&Touch) -> i128) -> Option<Touch> {
-    let (_, best) = touches
+/// The contact with the greatest score, if that is worth a point.
+fn best(contacts: &[Contact], score: impl Fn(&Contact) -> i128) -> Option<Contact> {
+    let (_, best) = contacts
         .iter()
-        .map(|touch| (score(touch), touch))
+        .map(|contact| (score(contact), contact))
         .filter(|&(score, _)| score >= NEAR_SQ)
         .reduce(|best, next| {
-            let rank = |(score, touch): (i128, &Touch)| (-score, touch.separation, touch.features);
+            let rank =
+                |(score, contact): (i128, &Contact)| (-score, contact.separation, contact.features);
             if rank(next) < rank(best) { next } else { best }
         })?;
     Some(*best)
@@ -60,11 +66,29 @@ fn flat_length_sq(normal: UnitVec3, d: [i64; 3]) -> i128 {
     dot_wide(d, d) - along * along
 }
 
-/// Twice the area of a triangle, seen along the normal; positive if it is counter-clockwise.
-///
-/// Differences are below 2^43: minors are below 2^87, and with a normal and its sum below 2^119.
-fn area(normal: UnitVec3, [p, q, r]: [&Touch; 3]) -> i128 {
-    let minors = cross(sub(q.on[0], p.on[0]), sub(r.on[0], p.on[0]));
-    let terms = normal.raw().into_iter().zip(minors).map(|(n, minor)| i128::from(n) * minor);
-    round_shift_wide(terms.sum(), 30)
+/// Points of a plane as they are seen along the axis that is closest to its normal: all areas are
+/// smaller by one factor.
+struct Shadow([usize; 2]);
+
+impl Shadow {
+    fn new(normal: UnitVec3) -> Self {
+        let [x, y, z] = normal.raw().map(i64::abs);
+        Self(if x >= y.max(z) {
+            [1, 2]
+        } else if y >= z {
+            [2, 0]
+        } else {
+            [0, 1]
+        })
+    }
+
+    /// Twice the area of a triangle; its sign tells which way it turns. Below 2^88.
+    #[inline]
+    fn area(&self, [p, q, r]: [Vec3; 3]) -> i128 {
+        let Self([u, v]) = *self;
+        let [p, q, r] = [p, q, r].map(Vec3::raw);
+        let [a, b] = [u, v].map(|k| i128::from(q[k] - p[k]));
+        let [c, d] = [u, v].map(|k| i128::from(r[k] - p[k]));
+        a * d - b * c
+    }
 }
