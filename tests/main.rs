@@ -34,6 +34,8 @@ mod golden;
 mod hull;
 /// Laws for random and for hostile worlds.
 mod laws;
+/// Where convex shapes touch, against twins in floats.
+mod manifold;
 /// Numbers against big-integer oracles.
 mod math;
 /// Triangle meshes: their limits, what touches in them, OBJ files that are read or refused.

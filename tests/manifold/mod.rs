@@ -1,0 +1,64 @@
+mod boxes;
+mod draw;
+mod laws;
+mod twin;
+
+use verlock::Vec3;
+use verlock::collision::Manifold;
+use verlock::math::{Real, UnitVec3};
+
+use twin::{Twin, V, dot, gap, gap_along, length, metres, plus, sub};
+
+/// What a manifold may be wrong by, metres.
+const TOLERANCE: f64 = 1e-4;
+
+pub fn float(normal: UnitVec3) -> V {
+    normal.raw().map(|c| c as f64 / f64::from(1 << 30))
+}
+
+/// Checks a manifold, or that there is none, against the twins.
+pub fn check(found: Option<&Manifold>, [a, b]: [&Twin; 2], origin: Vec3, margin: Real) {
+    let margin = margin.raw() as f64 / f64::from(1 << 24);
+    let gap = gap(a, b);
+    let Some(found) = found else {
+        assert!(gap > margin - TOLERANCE, "missed a gap of {gap}");
+        return;
+    };
+    let n = float(found.normal);
+    let separation = found.separation().raw() as f64 / f64::from(1 << 24);
+    if gap > 0.0 {
+        assert!(gap_along(n, a, b) > -TOLERANCE, "{n:?} parts not what is apart by {gap}");
+        assert!(separation < gap.max(margin) + TOLERANCE, "{separation}, but a gap of {gap}");
+    } else {
+        assert!((separation - gap).abs() < TOLERANCE, "{separation}, but a gap of {gap}");
+    }
+    if separation < 0.0 {
+        let left = twin::gap(a, &b.moved(n, -separation));
+        assert!(left > -TOLERANCE, "{left} when moved by {separation} along {n:?}");
+    }
+    // What is apart near corners only may touch beside them.
+    let outside = if gap > 0.0 { margin } else { 0.0 };
+    check_contacts(found, [a, b], origin, [margin, outside].map(|most| most + TOLERANCE));
+}
+
+fn check_contacts(found: &Manifold, shapes: [&Twin; 2], origin: Vec3, [margin, most]: [f64; 2]) {
+    let n = float(found.normal);
+    let keys: Vec<_> = found.contacts().iter().map(|contact| contact.features).collect();
+    assert!(keys.is_sorted_by(|a, b| a < b), "{keys:?}");
+    // Four units, and a millionth of the size.
+    let size = shapes.iter().map(|shape| length(sub(shape.vertices[0], shapes[0].vertices[0])));
+    let fine = 3e-7 + 1e-8 * size.fold(1.0, f64::max);
+    for contact in found.contacts() {
+        let separation = contact.separation.raw() as f64 / f64::from(1 << 24);
+        assert!(separation <= margin, "{contact:?} beyond {margin}");
+        let points = [contact.on_a, contact.on_b].map(|point| metres(point, origin));
+        let off = length(sub(plus(points[0], n, separation), points[1]));
+        assert!(off < fine, "{contact:?}: {off} off the normal");
+        for (shape, point) in shapes.into_iter().zip(points) {
+            let point = Twin { vertices: vec![point], faces: vec![], edges: vec![], radius: 0.0 };
+            let outside = twin::gap(shape, &point);
+            assert!(outside < most, "{contact:?} is {outside} outside");
+        }
+    }
+    assert!((dot(n, n) - 1.0).abs() < 1e-6);
+}
