@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use super::pair::NearSurfaces;
 use super::proximity::manifolds;
+use super::tangle::Tangle;
 use super::{DEPTH_MAX, MeshShape, REACH_MAX};
 use crate::collision::Manifold;
 use crate::geometry::{Aabb, HeightField, Surface};
@@ -40,9 +41,14 @@ fn of_pairs<A: Surface, B: Surface>(
     margin: Real,
     out: &mut Vec<Manifold>,
 ) {
-    if !pairs.is_empty() {
-        manifolds(&NearSurfaces::new(a, b, pairs, margin).proximities(), out);
+    if pairs.is_empty() {
+        return;
     }
+    let mut found = NearSurfaces::new(a, b, pairs, margin).proximities();
+    let tangle = Tangle::new((a, b), pairs, &found);
+    found.retain(|proximity| !tangle.covers(proximity));
+    manifolds(&found, out);
+    out.extend(tangle.manifolds);
 }
 
 /// How far apart faces may be that touch or have passed through one another.

@@ -15,6 +15,7 @@ mod proximity;
 mod ridges;
 mod round;
 mod side;
+mod tangle;
 
 pub use manifolds::{manifolds_mesh_height_field, manifolds_mesh_mesh};
 pub use mesh_shape::MeshShape;
