@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use crate::collision::patch::{Touch, reduce};
+use crate::collision::patch::reduce;
 use crate::collision::{Contact, FeatureId, Manifold};
 use crate::math::wide::{dot_wide, round_shift_wide, sub, to_i64};
 use crate::math::{Real, UnitVec3};
@@ -46,8 +46,7 @@ pub(super) fn manifolds(all: &[Proximity], out: &mut Vec<Manifold>) {
         return;
     };
     let mut normals = Vec::from([deepest.normal]);
-    let mut members: Vec<Vec<Touch>> = Vec::from([Vec::new()]);
-    let origin = deepest.contact.on_a.raw();
+    let mut members: Vec<Vec<Contact>> = Vec::from([Vec::new()]);
     for Proximity { normal, contact } in all {
         let is_like = |other: &UnitVec3| dot_wide(other.raw(), normal.raw()) > LIKE;
         let place = match normals.iter().position(is_like) {
@@ -59,21 +58,17 @@ pub(super) fn manifolds(all: &[Proximity], out: &mut Vec<Manifold>) {
                 normals.len() - 1
             }
         };
-        let on = [contact.on_a, contact.on_b].map(|point| sub(point.raw(), origin));
         let separation = if normals[place] == *normal {
             contact.separation
         } else {
-            along(normals[place], sub(on[1], on[0]))
+            along(normals[place], sub(contact.on_b.raw(), contact.on_a.raw()))
         };
-        let features = contact.features;
-        members[place].push(Touch { features, on, separation: separation.raw() });
+        members[place].push(Contact { separation, ..*contact });
     }
     let first = out.len();
-    for (normal, touches) in normals.into_iter().zip(members) {
-        let contacts: Vec<_> =
-            reduce(normal, &touches).iter().map(|touch| touch.contact(origin)).collect();
+    for (normal, contacts) in normals.into_iter().zip(members) {
         // Features are unique among all contacts of the pair: parts need no names.
-        out.extend(Manifold::new(normal, [0; 2], &contacts));
+        out.extend(reduce(normal, [0; 2], &contacts));
     }
     out[first..].sort_unstable_by_key(|manifold| manifold.contacts()[0].features);
 }

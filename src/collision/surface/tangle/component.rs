@@ -6,8 +6,8 @@ use alloc::vec::Vec;
 use super::contour::{Contour, Knot};
 use super::groups::Groups;
 use super::inside::inside;
-use crate::collision::patch::{Touch, reduce};
-use crate::collision::{FeatureId, FeatureKind, Manifold};
+use crate::collision::patch::reduce;
+use crate::collision::{Contact, FeatureId, FeatureKind, Manifold};
 use crate::geometry::{Aabb, Surface};
 use crate::math::wide::{add, dot_wide, round_shift_wide, sub, to_i64};
 use crate::math::{Real, UnitVec3, Vec3};
@@ -131,32 +131,24 @@ impl Component {
     /// The manifold of all knots and vertices, which are as deep as one another.
     pub(super) fn manifold(&self, normal: UnitVec3, depth: Real) -> Option<Manifold> {
         let first = self.knots.first()?;
-        let origin = first.position.raw();
-        let way = normal.raw().map(|c| {
+        let [x, y, z] = normal.raw().map(|c| {
             let product = i128::from(c) * i128::from(depth.raw());
-            to_i64(round_shift_wide(product, 30))
+            Real::from_raw(to_i64(round_shift_wide(product, 30)))
         });
-        let touch = |features: [FeatureId; 2], on_a: [i64; 3]| Touch {
-            features,
-            on: [on_a, sub(on_a, way)],
-            separation: -depth.raw(),
-        };
-        let at = |position: &Vec3| sub(position.raw(), origin);
-        let knots = self.knots.iter().map(|knot| touch(knot.features, at(&knot.position)));
+        let way = Vec3::new(x, y, z);
+        let separation = -depth;
+        let contact = |features, on_a| Contact { features, on_a, on_b: on_a - way, separation };
+        let knots = self.knots.iter().map(|knot| contact(knot.features, knot.position));
         let [of_a, of_b] = &self.inside;
-        let of_a = of_a.iter().map(|(vertex, position)| {
-            touch([FeatureId::vertex(*vertex), first.features[1]], at(position))
+        let of_a = of_a.iter().map(|&(vertex, position)| {
+            contact([FeatureId::vertex(vertex), first.features[1]], position)
         });
-        let of_b = of_b.iter().map(|(vertex, position)| {
-            touch([first.features[0], FeatureId::vertex(*vertex)], add(at(position), way))
+        let of_b = of_b.iter().map(|&(vertex, position)| {
+            contact([first.features[0], FeatureId::vertex(vertex)], position + way)
         });
-        let mut touches: Vec<_> = knots.chain(of_a).chain(of_b).collect();
-        touches.sort_unstable_by_key(|touch| touch.features);
-        touches.dedup_by_key(|touch| touch.features);
-        let kept: Vec<_> = reduce(normal, &touches)
-            .iter()
-            .map(|touch| touch.contact(first.position.raw()))
-            .collect();
-        Manifold::new(normal, [0; 2], &kept)
+        let mut contacts: Vec<_> = knots.chain(of_a).chain(of_b).collect();
+        contacts.sort_unstable_by_key(|contact| contact.features);
+        contacts.dedup_by_key(|contact| contact.features);
+        reduce(normal, [0; 2], &contacts)
     }
 }
