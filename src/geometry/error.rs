@@ -18,7 +18,7 @@ pub enum ShapeError {
     Flat,
     /// It is turned inside out.
     Mirrored,
-    /// There are too many points, or not as many as there should be.
+    /// There are too many of something, or too few.
     WrongCount(&'static str),
 }
 
@@ -31,7 +31,7 @@ impl fmt::Display for ShapeError {
             Self::NotUnit(field) => write!(f, "{field} is not of length 1"),
             Self::Flat => f.write_str("shape has no volume"),
             Self::Mirrored => f.write_str("shape is turned inside out"),
-            Self::WrongCount(field) => write!(f, "{field} has the wrong number of points"),
+            Self::WrongCount(field) => write!(f, "{field} are too many or too few"),
         }
     }
 }

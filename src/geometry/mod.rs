@@ -25,6 +25,7 @@ mod closest;
 mod cuboid;
 mod decimate;
 mod error;
+mod fit;
 mod grid;
 mod half_space;
 mod height_field;
@@ -50,6 +51,7 @@ pub use closest::{
 };
 pub use cuboid::Cuboid;
 pub use error::ShapeError;
+pub use fit::{Fit, fit_capsule, fit_cuboid, fit_hull, fit_sphere};
 pub use grid::Grid;
 pub use half_space::HalfSpace;
 pub use height_field::HeightField;

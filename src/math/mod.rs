@@ -36,6 +36,7 @@ mod real;
 mod rng;
 pub mod root;
 mod text;
+pub mod trig;
 mod unit_vec3;
 mod vec3;
 pub mod wide;

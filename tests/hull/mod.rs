@@ -1,8 +1,11 @@
 //! Convex hulls, what is made of them, and what fits around points.
 
 mod around;
+mod fit;
+mod measure;
 mod moved;
 mod oracle;
+mod round;
 
 use verlock::Vec3;
 use verlock::geometry::ConvexHull;

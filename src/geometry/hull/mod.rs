@@ -1,12 +1,15 @@
 //! Convex polyhedra.
 
+mod distance;
 mod facets;
 mod quickhull;
+mod round;
 mod topology;
 
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 
+pub(super) use round::across;
 pub use topology::{HullEdge, HullTopology};
 
 use super::triangle::is_in_range;
