@@ -2,7 +2,7 @@
 
 use super::sphere::check_radius;
 use super::triangle::is_in_range;
-use super::{Aabb, ShapeError, Triangle};
+use super::{Aabb, ShapeError, Sphere, Triangle};
 use crate::math::{Real, Vec3};
 
 /// A ball swept along a segment, closed. Both ends may be one point: then it is a ball.
@@ -51,5 +51,12 @@ impl Capsule {
         let reach = Vec3::new(self.radius, self.radius, self.radius);
         let segment = Aabb::new(self.ends[0], self.ends[1]);
         Aabb::new(segment.min() - reach, segment.max() + reach)
+    }
+}
+
+impl From<Sphere> for Capsule {
+    /// The ball as a capsule whose ends are one point.
+    fn from(ball: Sphere) -> Self {
+        Self { ends: [ball.center(); 2], radius: ball.radius() }
     }
 }

