@@ -45,6 +45,7 @@ mod deviation;
 mod nearest;
 mod query;
 mod refit;
+mod swept;
 mod validate;
 mod volume;
 
@@ -61,6 +62,7 @@ pub use deviation::{Deviation, Farthest};
 pub use nearest::Nearest;
 pub use query::Precision;
 pub use refit::RefitError;
+pub use swept::SweptBvh;
 pub use validate::BvhFault;
 pub use volume::Volume;
 

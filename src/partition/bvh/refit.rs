@@ -37,14 +37,20 @@ impl<V: Volume> Bvh<V> {
     /// [`RefitError`] names the first vertex, or else the first face, that is not possible; nothing
     /// has moved then.
     pub fn refit(&mut self, positions: &[Vec3]) -> Result<(), RefitError> {
+        self.place(positions)?;
+        self.cells = Cells::around(positions);
+        self.refit_volumes();
+        Ok(())
+    }
+
+    /// Moves the faces only, and not the volumes.
+    pub(super) fn place(&mut self, positions: &[Vec3]) -> Result<(), RefitError> {
         self.check(positions)?;
         let faces = self.mesh.faces();
         for (triangle, &face) in self.triangles.iter_mut().zip(&self.shape.faces) {
             let corners = faces[face as usize];
             *triangle = Triangle::between(corners.map(|vertex| positions[vertex as usize]));
         }
-        self.cells = Cells::around(positions);
-        self.refit_volumes();
         Ok(())
     }
 
