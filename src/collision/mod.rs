@@ -27,6 +27,7 @@
 
 mod cast;
 mod colliders;
+mod continuous;
 mod convex;
 mod distance;
 mod feature;
@@ -39,6 +40,7 @@ mod width;
 
 pub use cast::{Cast, Touch, cast, cast_segment};
 pub use colliders::{Collider, ColliderError, ColliderId, Colliders, Filter, Layers};
+pub use continuous::{MeshMotion, TimeOfImpact};
 pub use convex::manifold_cuboid_cuboid;
 pub use distance::{Closest, closest_points, distance, overlap};
 pub use feature::{FeatureId, FeatureKind};

@@ -1,7 +1,12 @@
 //! Times of impact: against roots in big integers, against sampling, and landing before them.
 
+mod advance;
+mod capsules;
 mod exact;
+mod golden;
+mod meshes;
 mod oracle;
+mod sampling;
 
 use verlock::Vec3;
 use verlock::geometry::sweep::{Impact, Motion, Sweep};
