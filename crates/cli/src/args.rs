@@ -20,6 +20,7 @@ use crate::man::Man;
 use crate::overlap::Overlap;
 use crate::render::Render;
 use crate::run::Run;
+use crate::toi::Toi;
 use crate::verify::Verify;
 
 /// Deterministic lockstep physics: run scenes, verify replays, compare states
@@ -55,6 +56,7 @@ pub(crate) enum Command {
     Dump(Dump),
     Render(Render),
     Overlap(Overlap),
+    Toi(Toi),
     Completions(Completions),
     Man(Man),
 }
@@ -72,6 +74,7 @@ impl Command {
             Self::Dump(dump) => dump.execute(limit, out),
             Self::Render(render) => render.execute(limit, out),
             Self::Overlap(overlap) => overlap.execute(limit, out),
+            Self::Toi(toi) => toi.execute(limit, out),
             Self::Completions(completions) => completions.execute(out),
             Self::Man(man) => man.execute(out),
         }

@@ -28,6 +28,7 @@ mod run;
 mod state;
 mod tally;
 mod target;
+mod toi;
 mod verdict;
 mod verify;
 

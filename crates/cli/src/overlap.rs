@@ -124,7 +124,7 @@ fn decimals(intersection: &Intersection) -> Value {
 }
 
 /// The mesh of a file. Faces without an area are legal, but seldom meant.
-fn mesh(input: &Input) -> Result<Arc<TriangleMesh>, Failure> {
+pub(crate) fn mesh(input: &Input) -> Result<Arc<TriangleMesh>, Failure> {
     let mesh = input.mesh()?;
     let degenerate: Vec<_> = mesh.degenerate_faces().collect();
     if let Some(first) = degenerate.first() {

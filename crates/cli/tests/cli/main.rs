@@ -22,5 +22,7 @@ mod run;
 mod sandbox;
 /// Manual pages and completions.
 mod scripts;
+/// When one mesh that moves touches another.
+mod toi;
 /// Replays stepped again.
 mod verify;

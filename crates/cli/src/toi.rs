@@ -1,0 +1,119 @@
+//! `verlock toi`: when a mesh that moves touches another.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use serde_json::{Value, json};
+use verlock::collision::{FeatureId, FeatureKind, MeshMotion, MeshShape};
+use verlock::geometry::sweep::Sweep;
+use verlock::math::Unit;
+use verlock::{Real, Vec3};
+
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::overlap::mesh;
+
+/// Tell when a mesh that moves first touches another
+///
+/// A moves, B does not. The time is a fraction of the motion, and never late: before it they do not
+/// touch. It is the time of the first contact, rounded down to 2^-30 of the motion, but for
+/// contacts too near to a miss to be told from one, which count. Prints the time, then a line for
+/// each pair that touches: of A and of B, counted from 0 in the order of the files, edges in the
+/// order of their vertices; or `none`. In JSON: "hit", "t" as an exact decimal in a text, or null,
+/// "features", and "cut" where the search was given up and the time may be much too early. Returns
+/// 0 whether or not they touch.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Toi {
+    /// Mesh A, an OBJ file
+    a: PathBuf,
+
+    /// Mesh B, an OBJ file
+    b: PathBuf,
+
+    /// How far A moves, in metres
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    motion: Vec3,
+
+    /// Touch when they come so near, in metres
+    #[arg(long, value_name = "METRES", value_parser = gap, default_value = "0")]
+    gap: Real,
+
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl Toi {
+    pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
+        let inputs = Input::read_two(&self.a, &self.b, limit)?;
+        let [a, b] = [MeshShape::new(mesh(&inputs[0])?), MeshShape::new(mesh(&inputs[1])?)];
+        let ends: Option<Vec<_>> =
+            a.vertices().iter().map(|vertex| vertex.checked_add(self.motion)).collect();
+        let moving = ends.as_ref().and_then(|ends| MeshMotion::new(&a, ends).ok());
+        let moving = moving.ok_or_else(|| Failure::usage("--motion: leads out of range"))?;
+        let resting = MeshMotion::new(&b, b.vertices())
+            .map_err(|error| Failure::usage(format!("{}: {error}", inputs[1].name())))?;
+        let sweep = Sweep { gap: self.gap, ..Sweep::default() };
+        let found = moving.time_of_impact(&resting, &sweep);
+        let time = found.as_ref().map(|found| decimal(found.time));
+        let features = found.iter().flat_map(|found| &found.features);
+        let names = features.map(|features| features.map(name));
+        if self.json {
+            let features: Vec<Value> = names.map(|names| json!(names)).collect();
+            let is_cut = found.as_ref().is_some_and(|found| found.is_cut);
+            let found = json!({
+                "v": 1, "hit": found.is_some(), "t": time, "features": features, "cut": is_cut,
+            });
+            writeln!(out, "{found}")?;
+        } else {
+            writeln!(out, "{}", time.as_deref().unwrap_or("none"))?;
+            for [a, b] in names {
+                writeln!(out, "{a}, {b}")?;
+            }
+        }
+        Ok(Exit::Fine)
+    }
+}
+
+/// Three decimals between commas.
+fn vector(text: &str) -> Result<Vec3, String> {
+    let parts: Vec<_> = text.split(',').collect();
+    let &[x, y, z] = &parts[..] else { return Err("is not three decimals X,Y,Z".into()) };
+    let number = |text: &str| text.trim().parse::<Real>().map_err(|error| error.to_string());
+    Ok(Vec3::new(number(x)?, number(y)?, number(z)?))
+}
+
+/// A length of 0 or more.
+fn gap(text: &str) -> Result<Real, String> {
+    let gap: Real = text.parse().map_err(|error: verlock::math::DecimalError| error.to_string())?;
+    if gap < Real::ZERO { Err("is below 0".into()) } else { Ok(gap) }
+}
+
+/// The exact decimal of a number of 0 or more: at most 30 digits behind the point. The shortest one
+/// that is read as the same number may be above it, and then it would be late.
+fn decimal(number: Unit) -> String {
+    let raw = i64::from(number.raw());
+    let mask = i64::from(Unit::ONE.raw()) - 1;
+    let mut digits = (raw >> Unit::FRACTION_BITS).to_string();
+    let mut rest = raw & mask;
+    if rest != 0 {
+        digits.push('.');
+    }
+    while rest != 0 {
+        rest *= 10;
+        digits += &(rest >> Unit::FRACTION_BITS).to_string();
+        rest &= mask;
+    }
+    digits
+}
+
+/// What a feature is called.
+fn name(feature: FeatureId) -> String {
+    let kind = match feature.kind() {
+        FeatureKind::Vertex => "vertex",
+        FeatureKind::Edge => "edge",
+        FeatureKind::Face => "face",
+    };
+    format!("{kind} {}", feature.index())
+}
