@@ -99,6 +99,11 @@ fn pairs_of_triangles_keep_their_laws() {
 }
 
 #[test]
+fn times_of_impact_keep_their_laws() {
+    keeps("toi", laws::toi, [20, 10]);
+}
+
+#[test]
 fn broad_phases_keep_their_laws() {
     keeps("broad_phase", laws::broad_phase, [15, 10]);
 }

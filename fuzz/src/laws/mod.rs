@@ -14,6 +14,7 @@ mod relax;
 mod replay;
 mod scene;
 mod snapshot;
+mod toi;
 mod triangle_triangle;
 mod world;
 
@@ -25,4 +26,5 @@ pub use relax::relax;
 pub use replay::replay;
 pub use scene::scene;
 pub use snapshot::snapshot;
+pub use toi::toi;
 pub use triangle_triangle::triangle_triangle;

@@ -1,0 +1,9 @@
+//! Any two features in motion.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use verlock_fuzz::laws;
+
+fuzz_target!(|data: &[u8]| {
+    laws::toi(data);
+});
