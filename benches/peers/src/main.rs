@@ -10,15 +10,17 @@ mod guigue;
 mod manifolds;
 mod meshes;
 mod surfaces;
+mod toi;
 mod triangles;
 
 /// What is measured, by name.
-const ALL: [(&str, fn()); 6] = [
+const ALL: [(&str, fn()); 7] = [
     ("boxes", boxes::run),
     ("cloth", cloth::run),
     ("manifolds", manifolds::run),
     ("meshes", meshes::run),
     ("surfaces", surfaces::run),
+    ("toi", toi::run),
     ("triangles", triangles::run),
 ];
 
