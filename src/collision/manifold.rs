@@ -1,7 +1,6 @@
 //! Where two shapes touch, or nearly do.
 
 use super::FeatureId;
-use crate::math::wide::add;
 use crate::math::{Real, UnitVec3, Vec3};
 
 /// One point of contact: a point of either shape, and how far apart they are along the normal.
@@ -15,22 +14,6 @@ pub struct Contact {
     pub on_b: Vec3,
     /// From A to B along the normal, metres; negative where they overlap.
     pub separation: Real,
-}
-
-impl Contact {
-    /// The same, elsewhere. Requires that the places do not overflow there.
-    #[inline]
-    pub(super) fn moved(self, way: [i64; 3]) -> Self {
-        let moved = |place: Vec3| Vec3::from_raw(add(place.raw(), way));
-        Self { on_a: moved(self.on_a), on_b: moved(self.on_b), ..self }
-    }
-}
-
-impl Default for Contact {
-    fn default() -> Self {
-        let features = [FeatureId::face(0); 2];
-        Self { features, on_a: Vec3::ZERO, on_b: Vec3::ZERO, separation: Real::ZERO }
-    }
 }
 
 /// All points of contact of a patch: up to four that share a normal.

@@ -41,7 +41,7 @@ mod width;
 pub use cast::{Cast, Touch, cast, cast_segment};
 pub use colliders::{Collider, ColliderError, ColliderId, Colliders, Filter, Layers};
 pub use continuous::{MeshMotion, TimeOfImpact};
-pub use convex::manifold_cuboid_cuboid;
+pub use convex::{manifold_convex_convex, manifold_cuboid_cuboid};
 pub use distance::{Closest, closest_points, distance, overlap};
 pub use feature::{FeatureId, FeatureKind};
 pub use manifold::{Contact, Manifold};

@@ -23,7 +23,7 @@ pub(super) trait Width {
         + Neg<Output = Self::Reach>
         + Into<i128>;
     /// A component of a cross product.
-    type Minor: Copy + Default;
+    type Minor: Copy;
 
     /// How wrong a separation along a [shortened](Self::shorten) axis may be, raw.
     ///

@@ -44,7 +44,7 @@ mod weld;
 pub use aabb::Aabb;
 pub use adjacency::{Adjacency, Edge, Hinge};
 pub use capsule::Capsule;
-pub(crate) use closest::closest_convex;
+pub(crate) use closest::{ClosestConvex, closest_convex};
 pub use closest::{
     ClosestPoint, closest_point_segment, closest_point_triangle, closest_segment_segment,
     normal_point_segment, normal_point_triangle, normal_segment_segment,

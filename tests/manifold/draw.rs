@@ -1,8 +1,9 @@
 //! Random shapes and poses.
 
 use verlock::Vec3;
-use verlock::geometry::Cuboid;
-use verlock::math::Pcg;
+use verlock::collision::Shape;
+use verlock::geometry::{Capsule, ConvexHull, Cuboid, HalfSpace, Sphere, Triangle};
+use verlock::math::{Pcg, Real, UnitVec3};
 
 use super::twin::{Twin, V, cross, dot, metres};
 
@@ -88,6 +89,123 @@ impl Draw {
     }
 }
 
+/// The shapes that are drawn.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Kind {
+    HalfSpace,
+    Sphere,
+    Capsule,
+    Cuboid,
+    Hull,
+    Triangle,
+}
+
+impl Kind {
+    pub const ALL: [Self; 6] =
+        [Self::HalfSpace, Self::Sphere, Self::Capsule, Self::Cuboid, Self::Hull, Self::Triangle];
+}
+
+impl Draw {
+    /// A shape of up to `size` metres from its middle.
+    pub fn shape(&mut self, kind: Kind, center: V, size: f64) -> Shape {
+        let near = |draw: &mut Self| {
+            let way = draw.within(size);
+            raw([0, 1, 2].map(|k| center[k] + way[k]))
+        };
+        let radius = Real::from_raw((0.3 * size * METRE * self.number().abs()) as i64);
+        match kind {
+            Kind::HalfSpace => {
+                let normal = UnitVec3::normalize(raw(self.direction())).expect("a direction");
+                HalfSpace::new(near(self), normal).expect("in range").into()
+            }
+            Kind::Sphere => Sphere::new(raw(center), radius).expect("in range").into(),
+            Kind::Capsule => {
+                Capsule::new([near(self), near(self)], radius).expect("in range").into()
+            }
+            Kind::Cuboid => self.cuboid(center, 0.6 * size).into(),
+            Kind::Hull => {
+                let points = 4 + self.below(12);
+                ConvexHull::around((0..points).map(|_| near(self))).expect("solid").into()
+            }
+            Kind::Triangle => {
+                Triangle::new([near(self), near(self), near(self)]).expect("in range").into()
+            }
+        }
+    }
+}
+
+/// The shape whose points are mapped, by a map that keeps lengths. A hull is made anew if it is
+/// mirrored.
+pub fn mapped(shape: &Shape, map: impl Fn(Vec3) -> Vec3) -> Shape {
+    match shape {
+        Shape::Sphere(sphere) => Sphere::new(map(sphere.center()), sphere.radius()).unwrap().into(),
+        Shape::Capsule(capsule) => {
+            Capsule::new(capsule.ends().map(map), capsule.radius()).unwrap().into()
+        }
+        Shape::Cuboid(cuboid) => {
+            let center = map(cuboid.center());
+            let edges = cuboid.half_edges().map(|edge| map(cuboid.center() + edge) - center);
+            Cuboid::new(center, edges).unwrap().into()
+        }
+        Shape::ConvexHull(hull) => {
+            let vertices: Vec<_> = hull.vertices().iter().map(|&vertex| map(vertex)).collect();
+            let mut moved = hull.clone();
+            match moved.moved_to(&vertices) {
+                Ok(()) => moved.into(),
+                Err(_) => ConvexHull::around(vertices).unwrap().into(),
+            }
+        }
+        Shape::Triangle(triangle) => Triangle::new(triangle.corners().map(map)).unwrap().into(),
+        Shape::HalfSpace(ground) => {
+            let end = ground.point() + Vec3::from_raw(ground.normal().raw());
+            let normal = (map(end) - map(ground.point())).raw().map(|c| c as i32);
+            HalfSpace::new(map(ground.point()), UnitVec3::from_raw(normal)).unwrap().into()
+        }
+        _ => panic!("not convex"),
+    }
+}
+
+/// A point of a shape.
+pub fn anchor(shape: &Shape) -> Vec3 {
+    match shape {
+        Shape::HalfSpace(ground) => ground.point(),
+        _ => shape.bounds().expect("has an end").min(),
+    }
+}
+
+pub fn twin(shape: &Shape, origin: Vec3) -> Twin {
+    let local = |point: Vec3| metres(point, origin);
+    let length = |length: Real| length.raw() as f64 / METRE;
+    match shape {
+        Shape::HalfSpace(ground) => {
+            let normal = super::float(ground.normal());
+            Twin {
+                ground: Some([local(ground.point()), normal]),
+                ..Twin::bare(vec![], vec![], 0.0)
+            }
+        }
+        Shape::Sphere(sphere) => {
+            Twin::bare(vec![local(sphere.center())], vec![], length(sphere.radius()))
+        }
+        Shape::Capsule(capsule) => {
+            Twin::bare(capsule.ends().map(local).to_vec(), vec![[0, 1]], length(capsule.radius()))
+        }
+        Shape::Cuboid(cuboid) => twin_of_cuboid(cuboid, origin),
+        Shape::ConvexHull(hull) => {
+            let vertices = hull.vertices().iter().map(|&vertex| local(vertex)).collect();
+            let faces = hull.faces().map(|face| face.iter().map(|&k| k as usize).collect());
+            let edges = hull.edges().iter().map(|edge| edge.ends.map(|end| end as usize));
+            Twin { faces: faces.collect(), ..Twin::bare(vertices, edges.collect(), 0.0) }
+        }
+        Shape::Triangle(triangle) => {
+            let vertices = triangle.corners().map(local).to_vec();
+            let edges = vec![[0, 1], [1, 2], [2, 0]];
+            Twin { faces: vec![vec![0, 1, 2]], ..Twin::bare(vertices, edges, 0.0) }
+        }
+        _ => panic!("not convex"),
+    }
+}
+
 pub fn twin_of_cuboid(cuboid: &Cuboid, origin: Vec3) -> Twin {
     let corners = cuboid.corners();
     let vertices = corners.iter().map(|&corner| metres(corner, origin)).collect();
@@ -101,5 +219,6 @@ pub fn twin_of_cuboid(cuboid: &Cuboid, origin: Vec3) -> Twin {
         let corner = (at & 1) << ((axis + 1) % 3) | (at >> 1) << ((axis + 2) % 3);
         [corner, corner | 1 << axis]
     });
-    Twin { vertices, faces: faces.collect(), edges: edges.collect(), radius: 0.0 }
+    let bare = Twin::bare(vertices, edges.collect(), 0.0);
+    Twin { faces: faces.collect(), ..bare }
 }

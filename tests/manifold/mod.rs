@@ -1,6 +1,7 @@
 mod boxes;
 mod draw;
 mod laws;
+mod pairs;
 mod twin;
 
 use verlock::Vec3;
@@ -46,7 +47,7 @@ fn check_contacts(found: &Manifold, shapes: [&Twin; 2], origin: Vec3, [margin, m
     let keys: Vec<_> = found.contacts().iter().map(|contact| contact.features).collect();
     assert!(keys.is_sorted_by(|a, b| a < b), "{keys:?}");
     // Four units, and a millionth of the size.
-    let size = shapes.iter().map(|shape| length(sub(shape.vertices[0], shapes[0].vertices[0])));
+    let size = shapes.iter().flat_map(|shape| &shape.vertices).map(|&vertex| length(vertex));
     let fine = 3e-7 + 1e-8 * size.fold(1.0, f64::max);
     for contact in found.contacts() {
         let separation = contact.separation.raw() as f64 / f64::from(1 << 24);
@@ -55,7 +56,7 @@ fn check_contacts(found: &Manifold, shapes: [&Twin; 2], origin: Vec3, [margin, m
         let off = length(sub(plus(points[0], n, separation), points[1]));
         assert!(off < fine, "{contact:?}: {off} off the normal");
         for (shape, point) in shapes.into_iter().zip(points) {
-            let point = Twin { vertices: vec![point], faces: vec![], edges: vec![], radius: 0.0 };
+            let point = Twin::bare(vec![point], vec![], 0.0);
             let outside = twin::gap(shape, &point);
             assert!(outside < most, "{contact:?} is {outside} outside");
         }

@@ -13,6 +13,8 @@ pub struct Twin {
     pub faces: Vec<Vec<usize>>,
     pub edges: Vec<[usize; 2]>,
     pub radius: f64,
+    /// Of a half-space: a point of it and its normal; then there are no vertices.
+    pub ground: Option<[V; 2]>,
 }
 
 pub fn metres(point: verlock::Vec3, origin: verlock::Vec3) -> V {
@@ -46,9 +48,15 @@ fn unit(a: V) -> Option<V> {
 }
 
 impl Twin {
+    /// The core of some vertices and edges, without faces.
+    pub fn bare(vertices: Vec<V>, edges: Vec<[usize; 2]>, radius: f64) -> Self {
+        Self { vertices, faces: vec![], edges, radius, ground: None }
+    }
+
     pub fn moved(&self, way: V, s: f64) -> Self {
         let vertices = self.vertices.iter().map(|&v| plus(v, way, s)).collect();
-        Self { vertices, ..self.clone() }
+        let ground = self.ground.map(|[point, normal]| [plus(point, way, s), normal]);
+        Self { vertices, ground, ..self.clone() }
     }
 
     fn normals(&self) -> Vec<V> {
@@ -81,12 +89,25 @@ impl Twin {
 
 /// How far `b` is beyond `a` along a direction.
 pub fn gap_along(n: V, a: &Twin, b: &Twin) -> f64 {
+    if let Some([point, normal]) = a.ground {
+        let off = length(sub(n, normal));
+        return if off < 1e-7 { -b.reach(n.map(|c| -c)) - dot(n, point) } else { f64::MIN };
+    }
+    if b.ground.is_some() {
+        return gap_along(n.map(|c| -c), b, a);
+    }
     -b.reach(n.map(|c| -c)) - a.reach(n)
 }
 
 /// How far two shapes are apart; if they overlap, minus the length of the least translation that
 /// parts them.
 pub fn gap(a: &Twin, b: &Twin) -> f64 {
+    if let Some([_, normal]) = a.ground {
+        return gap_along(normal, a, b);
+    }
+    if b.ground.is_some() {
+        return gap(b, a);
+    }
     let radii = a.radius + b.radius;
     let overlap = core_overlap(a, b);
     if overlap <= 0.0 { overlap - radii } else { core_distance(a, b) - radii }

@@ -1,17 +1,19 @@
 //! Two boxes: separating axes, then clipping.
 
 use super::pair::Pair;
+use super::separate::length_max;
+use super::solid::box_edge;
 use crate::collision::patch::{Corner, Outline, TIE, patch};
 use crate::collision::width::{Narrow, Wide, Width};
 use crate::collision::{FeatureId, Manifold};
-use crate::geometry::Cuboid;
+use crate::geometry::{ClosestConvex, Cuboid, closest_convex};
 use crate::math::wide::{add, sub};
-use crate::math::{Real, UnitVec3};
+use crate::math::{Real, UnitVec3, Vec3};
 
 /// Where two boxes touch, or are at most `margin` apart; `None` where they are farther. O(1).
 ///
 /// The normal is the axis along which they overlap least, of the faces and of all pairs of edges
-/// (Gottschalk, Lin and Manocha, *OBBTree*, 1996); those of faces come first where they are nearly
+/// (Gottschalk, Lin and Manocha, *`OBBTree`*, 1996); those of faces come first where they are nearly
 /// as good, A's before B's. Boxes may be sheared. Of boxes that are apart near corners only, the
 /// separation is less than the distance.
 ///
@@ -45,18 +47,26 @@ fn manifold<W: Width>(a: &Cuboid, b: &Cuboid, pair: &Pair) -> Option<Manifold> {
         Edges::Apart => None,
         Edges::Best(normal, [i, j]) => {
             let outlines = [a.facing::<W>(normal, i), b.facing::<W>(-normal, j)];
-            patch::<W>(normal, outlines.each_ref(), pair.margin, pair.origin)
+            patch::<W>(&pair.seam(normal), outlines.each_ref(), || closest(&a, &b))
         }
         Edges::Worse if of_b.separation > of_a.separation + TIE => {
             let outlines = [b.face(of_b.axis, of_b.is_against), a.facing::<W>(of_b.normal, 3)];
-            let patch = patch::<W>(-of_b.normal, outlines.each_ref(), pair.margin, pair.origin);
-            patch.map(|manifold| manifold.flipped())
+            let seam = pair.seam(-of_b.normal);
+            Some(patch::<W>(&seam, outlines.each_ref(), || closest(&b, &a))?.flipped())
         }
         Edges::Worse => {
             let outlines = [a.face(of_a.axis, !of_a.is_against), b.facing::<W>(-of_a.normal, 3)];
-            patch::<W>(of_a.normal, outlines.each_ref(), pair.margin, pair.origin)
+            patch::<W>(&pair.seam(of_a.normal), outlines.each_ref(), || closest(&a, &b))
         }
     }
+}
+
+/// The nearest points of two boxes that are apart.
+fn closest(a: &Posed, b: &Posed) -> Option<ClosestConvex> {
+    let corners = |posed: &Posed| -> [Vec3; 8] {
+        core::array::from_fn(|corner| Vec3::from_raw(posed.corner(corner)))
+    };
+    closest_convex(&corners(a), &corners(b), Vec3::ZERO, Real::ZERO)
 }
 
 /// A box, from the origin of the pair.
@@ -94,7 +104,7 @@ impl Posed {
     fn new(cuboid: &Cuboid, pair: &Pair) -> Self {
         Self {
             center: pair.local(cuboid.center()),
-            edges: cuboid.half_edges().map(|edge| edge.raw()),
+            edges: cuboid.half_edges().map(Vec3::raw),
             normals: cuboid.normals(),
             is_mirrored: cuboid.is_mirrored(),
         }
@@ -146,21 +156,23 @@ impl Posed {
         self.face(axis, is_along)
     }
 
+    fn corner(&self, corner: usize) -> [i64; 3] {
+        (0..3).fold(self.center, |at, k| {
+            let edge = self.edges[k];
+            if corner >> k & 1 == 1 { add(at, edge) } else { sub(at, edge) }
+        })
+    }
+
     /// The face at the end of an edge, or against it.
     fn face(&self, axis: usize, is_along: bool) -> Outline {
         let (u, v) = (NEXT[axis], LAST[axis]);
         let (u, v) = if is_along == self.is_mirrored { (v, u) } else { (u, v) };
-        let at = |corner: usize| {
-            (0..3).fold(self.center, |at, k| {
-                let edge = self.edges[k];
-                if corner >> k & 1 == 1 { add(at, edge) } else { sub(at, edge) }
-            })
-        };
         let end = usize::from(is_along);
         let corner = |[along_u, along_v]: [usize; 2], side: usize| {
             let corner = end << axis | along_u << u | along_v << v;
-            // At most 8 corners and 12 edges.
-            Corner { at: at(corner), vertex: corner as u32, edge: edge(corner, side) }
+            // At most 8 corners and 3 axes.
+            let (name, edge) = (corner as u32, box_edge(corner as u32, side as u32));
+            Corner { at: self.corner(corner), name: FeatureId::vertex(name), edge }
         };
         let corners = [corner([0, 0], u), corner([1, 0], v), corner([1, 1], u), corner([0, 1], v)];
         let normal = if is_along { self.normals[axis] } else { -self.normals[axis] };
@@ -175,12 +187,6 @@ impl Posed {
 /// The axis after another, and the one after that.
 const NEXT: [usize; 3] = [1, 2, 0];
 const LAST: [usize; 3] = [2, 0, 1];
-
-/// The edge along an axis at a corner, as [`FeatureId`] numbers them.
-fn edge(corner: usize, axis: usize) -> u32 {
-    let (u, v) = (NEXT[axis], LAST[axis]);
-    (4 * axis | corner >> u & 1 | (corner >> v & 1) << 1) as u32
-}
 
 fn magnitude<R: Ord + Copy + core::ops::Neg<Output = R>>(reach: R) -> R {
     reach.max(-reach)
@@ -218,9 +224,4 @@ fn best_edges<W: Width>([a, b]: [&Posed; 2], way: [i64; 3], mut least: i64, marg
         }
     }
     best
-}
-
-/// At least the length of a vector.
-fn length_max(v: UnitVec3) -> i128 {
-    v.raw().iter().map(|c| i128::from(c.abs())).sum()
 }

@@ -1,10 +1,11 @@
 //! Two shapes that are near one another.
 
 use super::MARGIN_MAX;
+use crate::collision::patch::Seam;
 use crate::collision::width::Narrow;
 use crate::geometry::Aabb;
 use crate::math::wide::sub;
-use crate::math::{Real, Vec3};
+use crate::math::{Real, UnitVec3, Vec3};
 
 /// Where a pair is, and how large.
 pub(super) struct Pair {
@@ -32,6 +33,12 @@ impl Pair {
         }
         let is_narrow = span + margin <= Narrow::SPAN_MAX;
         Some(Self { origin: min_a, is_narrow, margin })
+    }
+
+    /// Along what shapes without radii touch.
+    #[inline]
+    pub(super) fn seam(&self, normal: UnitVec3) -> Seam {
+        Seam { normal, radii: [0; 2], margin: self.margin, origin: self.origin }
     }
 
     /// A point of either shape, from the origin.

@@ -1,18 +1,20 @@
 //! The polygon that two outlines have in common.
 
-use super::contact;
 use super::outline::{Outline, Plane, Table, after, sides};
+use super::{Contacts, Seam};
 use crate::collision::width::Width;
 use crate::collision::{Contact, FeatureId};
-use crate::math::UnitVec3;
 use crate::math::wide::{add, round_div_magnitude, sub};
 
-/// Finds the corners of what two outlines have in common, from the origin of the pair.
-pub(super) fn common<W: Width>(
-    normal: UnitVec3,
-    [a, b]: [&Outline; 2],
-    mut keep: impl FnMut(Contact),
-) {
+/// The corners of what two outlines have in common, at most the margin apart.
+pub(in crate::collision) fn clip<W: Width>(seam: &Seam, [a, b]: [&Outline; 2]) -> Contacts {
+    let normal = seam.normal;
+    let mut contacts = Contacts::new();
+    let mut keep = |contact: Contact| {
+        if contact.separation.raw() <= seam.margin {
+            contacts.push(contact);
+        }
+    };
     let corners: [&[_]; 2] = [&a.corners, &b.corners];
     let over_a = Table::new::<W>(corners[0], normal, corners[1]);
     let mut is_within = false;
@@ -24,12 +26,12 @@ pub(super) fn common<W: Width>(
                 is_within = false;
                 continue;
             }
-            let features = [a.face, FeatureId::vertex(corner.vertex)];
-            keep(above::<W>(plane, normal, features, corner.at));
+            let separation = plane.height(corner.at);
+            keep(seam.above::<W>([a.face, corner.name], corner.at, separation));
         }
     }
     if is_within {
-        return;
+        return contacts;
     }
     let over_b = Table::new::<W>(corners[1], -normal, corners[0]);
     if let Some(plane) = Plane::<W>::new(b, -normal) {
@@ -39,8 +41,7 @@ pub(super) fn common<W: Width>(
             }
             let separation = plane.height(corner.at);
             let on_b = add(corner.at, W::scale(normal.raw(), separation));
-            let features = [FeatureId::vertex(corner.vertex), b.face];
-            keep(contact(features, [corner.at, on_b], separation));
+            keep(seam.contact::<W>([corner.name, b.face], [corner.at, on_b], separation));
         }
     }
     let level = plane.filter(Plane::is_level);
@@ -48,28 +49,15 @@ pub(super) fn common<W: Width>(
         let ends = |k: usize, i: usize| [i, after(i, corners[k].len())].map(|i| corners[k][i].at);
         let features = [corners[0][i].edge, corners[1][j].edge].map(FeatureId::edge);
         let on_b = between::<W>(ends(1, j), across_a);
-        keep(match &level {
-            Some(plane) => above::<W>(plane, normal, features, on_b),
-            None => {
-                let on_a = between::<W>(ends(0, i), across_b);
-                let separation = W::round(W::along(normal, sub(on_b, on_a)));
-                contact(features, [on_a, on_b], separation)
-            }
+        keep(if let Some(plane) = &level {
+            seam.above::<W>(features, on_b, plane.height(on_b))
+        } else {
+            let on_a = between::<W>(ends(0, i), across_b);
+            let separation = W::round(W::along(normal, sub(on_b, on_a)));
+            seam.contact::<W>(features, [on_a, on_b], separation)
         });
     });
-}
-
-/// The contact of a point of B with a plane of A.
-#[inline]
-fn above<W: Width>(
-    plane: &Plane<W>,
-    normal: UnitVec3,
-    features: [FeatureId; 2],
-    on_b: [i64; 3],
-) -> Contact {
-    let separation = plane.height(on_b);
-    let on_a = sub(on_b, W::scale(normal.raw(), separation));
-    contact(features, [on_a, on_b], separation)
+    contacts
 }
 
 /// Calls `found` with the sides of A and B that cross, with the volumes of the ends of B's side
@@ -101,7 +89,7 @@ fn for_crossings(
 /// The share errs by less than 2^-30, so the point by less than a unit while the segment is shorter
 /// than 64 m, and by a quarter of a millimetre where it is as long as may be.
 #[inline]
-fn between<W: Width>(ends: [[i64; 3]; 2], inside: [i128; 2]) -> [i64; 3] {
+pub(in crate::collision) fn between<W: Width>(ends: [[i64; 3]; 2], inside: [i128; 2]) -> [i64; 3] {
     let (from, to) = if inside[0] > inside[1] { (0, 1) } else { (1, 0) };
     let (near, far) = (inside[from].unsigned_abs(), inside[to].unsigned_abs());
     // Magnitudes are below 2^127, and one is above 0.

@@ -12,13 +12,15 @@ mod clip;
 mod outline;
 mod reduce;
 
+pub(super) use clip::{between, clip};
 pub(super) use outline::{Corner, Outline};
 pub(super) use reduce::reduce;
 
 use super::few::Few;
 use super::width::Width;
 use super::{Contact, FeatureId, Manifold};
-use crate::math::wide::sub;
+use crate::geometry::ClosestConvex;
+use crate::math::wide::{add, sub};
 use crate::math::{Real, UnitVec3, Vec3};
 
 /// Lengths that differ by less count as one where a choice depends on it, raw: 31 um. So the noise
@@ -28,36 +30,97 @@ pub(super) const TIE: i64 = 1 << 9;
 /// Contacts that come one by one.
 pub(super) type Contacts = Few<Contact, 8>;
 
-/// Where two outlines touch, at most `margin` apart along `normal`, which points from the first to
-/// the second. There is always one point: where they are deepest.
-pub(super) fn patch<W: Width>(
-    normal: UnitVec3,
-    [a, b]: [&Outline; 2],
-    margin: i64,
-    origin: [i64; 3],
-) -> Option<Manifold> {
-    let mut contacts = Contacts::new();
-    clip::common::<W>(normal, [a, b], |contact| {
-        if contact.separation.raw() <= margin {
-            contacts.push(contact.moved(origin));
-        }
-    });
-    let least = contacts.iter().map(|contact| contact.separation.raw()).min();
-    let (corner, reach) = b.lowest::<W>(normal);
-    let deepest = W::round(reach - a.reach::<W>(normal));
-    if least.is_none_or(|least| least > deepest + TIE) {
-        // The corner that is deepest has slipped past a side.
-        let on_a = sub(corner.at, W::scale(normal.raw(), deepest));
-        let features = [a.face, FeatureId::vertex(corner.vertex)];
-        contacts = contacts.iter().filter(|kept| kept.features != features).copied().collect();
-        contacts.push(contact(features, [on_a, corner.at], deepest).moved(origin));
-    }
-    reduce(normal, [0; 2], &contacts)
+/// Along what two shapes touch.
+#[derive(Clone, Copy)]
+pub(super) struct Seam {
+    /// From A to B.
+    pub(super) normal: UnitVec3,
+    /// How far the surfaces are in front of what is clipped, raw.
+    pub(super) radii: [i64; 2],
+    /// What is farther apart does not touch, raw.
+    pub(super) margin: i64,
+    /// What positions are measured from.
+    pub(super) origin: [i64; 3],
 }
 
-/// A contact of raw numbers.
-#[inline]
-pub(super) fn contact(features: [FeatureId; 2], on: [[i64; 3]; 2], separation: i64) -> Contact {
-    let [on_a, on_b] = on.map(Vec3::from_raw);
-    Contact { features, on_a, on_b, separation: Real::from_raw(separation) }
+impl Seam {
+    /// With A and B exchanged.
+    pub(super) fn flipped(self) -> Self {
+        let Self { normal, radii: [a, b], margin, origin } = self;
+        Self { normal: -normal, radii: [b, a], margin, origin }
+    }
+
+    /// The contact of two points of what is clipped, in the world.
+    #[inline]
+    pub(super) fn contact<W: Width>(
+        &self,
+        features: [FeatureId; 2],
+        [on_a, on_b]: [[i64; 3]; 2],
+        separation: i64,
+    ) -> Contact {
+        let [up_a, up_b] = self.radii;
+        let on_a = add(on_a, W::scale(self.normal.raw(), up_a));
+        let on_b = sub(on_b, W::scale(self.normal.raw(), up_b));
+        let [on_a, on_b] = [on_a, on_b].map(|point| Vec3::from_raw(add(self.origin, point)));
+        Contact { features, on_a, on_b, separation: Real::from_raw(separation - up_a - up_b) }
+    }
+
+    /// The contact of a point of what is clipped of B, that far above A.
+    #[inline]
+    pub(super) fn above<W: Width>(
+        &self,
+        features: [FeatureId; 2],
+        on_b: [i64; 3],
+        separation: i64,
+    ) -> Contact {
+        let on_a = sub(on_b, W::scale(self.normal.raw(), separation));
+        self.contact::<W>(features, [on_a, on_b], separation)
+    }
+
+    /// The contact of the nearest points of two cores.
+    pub(super) fn nearest<W: Width>(
+        &self,
+        features: [FeatureId; 2],
+        nearest: &ClosestConvex,
+    ) -> Contact {
+        let on = [nearest.on_a.raw(), nearest.on_b.raw()];
+        let separation = W::round(W::along(self.normal, sub(on[1], on[0])));
+        self.contact::<W>(features, on, separation)
+    }
+}
+
+/// Where two outlines touch. Where they do not lie over one another, though the shapes are nearer
+/// than the margin along the normal, it is where they are deepest; or if they are apart, where they
+/// are nearest.
+pub(super) fn patch<W: Width>(
+    seam: &Seam,
+    [a, b]: [&Outline; 2],
+    nearest: impl FnOnce() -> Option<ClosestConvex>,
+) -> Option<Manifold> {
+    let mut contacts = clip::<W>(seam, [a, b]);
+    let (corner, reach) = b.lowest::<W>(seam.normal);
+    let deepest = W::round(reach - a.reach::<W>(seam.normal));
+    if contacts.is_empty() && deepest > 0 {
+        let nearest = nearest()?;
+        let seam = Seam { normal: nearest.normal, ..*seam };
+        let contact = seam.nearest::<W>([a.face, b.face], &nearest);
+        let is_near = contact.separation.raw() <= seam.margin;
+        return Manifold::new(seam.normal, [0; 2], is_near.then_some(contact).as_slice());
+    }
+    if deepest <= 0 {
+        // It may have slipped past a side.
+        let deepest = seam.above::<W>([a.face, corner.name], corner.at, deepest);
+        keep_deepest(&mut contacts, deepest);
+    }
+    reduce(seam.normal, [0; 2], &contacts)
+}
+
+/// Adds a contact that is as deep as any, unless there is one already.
+pub(super) fn keep_deepest(contacts: &mut Contacts, deepest: Contact) {
+    let least = contacts.iter().map(|contact| contact.separation.raw()).min();
+    if least.is_none_or(|least| least > deepest.separation.raw() + TIE) {
+        let others = contacts.iter().filter(|kept| kept.features != deepest.features).copied();
+        *contacts = others.collect();
+        contacts.push(deepest);
+    }
 }

@@ -18,11 +18,11 @@ pub(in crate::collision) struct Outline {
 }
 
 /// A corner of a face, and the side that begins there.
-#[derive(Clone, Copy, Default, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(in crate::collision) struct Corner {
     /// Where it is, from the origin of the pair, raw.
     pub(in crate::collision) at: [i64; 3],
-    pub(in crate::collision) vertex: u32,
+    pub(in crate::collision) name: FeatureId,
     /// From here to the next corner.
     pub(in crate::collision) edge: u32,
 }
@@ -37,9 +37,8 @@ impl Outline {
     /// The corner that reaches least far, of several the first, and how far.
     #[inline]
     pub(super) fn lowest<W: Width>(&self, direction: UnitVec3) -> (Corner, W::Reach) {
-        let (&first, rest) = self.corners.split_first().expect("outlines have corners");
-        let mut lowest = (first, W::along(direction, first.at));
-        for &corner in rest {
+        let mut lowest = (self.corners[0], W::along(direction, self.corners[0].at));
+        for &corner in &self.corners[1..] {
             let reach = W::along(direction, corner.at);
             if reach < lowest.1 {
                 lowest = (corner, reach);

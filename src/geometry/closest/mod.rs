@@ -16,7 +16,7 @@ mod point_triangle;
 mod segment_segment;
 mod width;
 
-pub(crate) use convex::closest_convex;
+pub(crate) use convex::{ClosestConvex, closest_convex};
 pub use normal::{normal_point_segment, normal_point_triangle, normal_segment_segment};
 pub use point_segment::closest_point_segment;
 pub use point_triangle::closest_point_triangle;

@@ -1,0 +1,151 @@
+//! Any two convex shapes.
+
+use super::half_space::manifold_half_space;
+use super::manifold_cuboid_cuboid;
+use super::pair::Pair;
+use super::separate::{Owner, Verdict, separate};
+use super::solid::Solid;
+use crate::collision::patch::{Contacts, Seam, between, clip, keep_deepest, patch, reduce};
+use crate::collision::width::{Narrow, Wide, Width};
+use crate::collision::{FeatureId, Manifold, Shape};
+use crate::geometry::{ClosestConvex, closest_convex};
+use crate::math::determinant::cross;
+use crate::math::wide::{dot_wide, sub};
+use crate::math::{Real, UnitVec3, Vec3};
+
+/// Where two convex shapes touch, or are at most `margin` apart; `None` where they are farther, and
+/// of shapes that are not convex, or of two half-spaces.
+///
+/// Where they are apart and one is round, the normal is the direction between their nearest points;
+/// otherwise that of the axis along which they overlap least, of the faces and of all pairs of
+/// edges, faces first where it is nearly a tie. O(faces * vertices + edges^2) for hulls, less for
+/// most pairs.
+///
+/// A margin counts from 0 to 16,384 m.
+#[must_use]
+pub fn manifold_convex_convex(a: &Shape, b: &Shape, margin: Real) -> Option<Manifold> {
+    match (a, b) {
+        (Shape::Cuboid(a), Shape::Cuboid(b)) => manifold_cuboid_cuboid(a, b, margin),
+        (Shape::HalfSpace(a), _) => manifold_half_space(a, b, margin),
+        (_, Shape::HalfSpace(b)) => Some(manifold_half_space(b, a, margin)?.flipped()),
+        _ => {
+            let pair = Pair::new(&a.bounds()?, &b.bounds()?, margin)?;
+            let (a, b) = (Solid::new(a, pair.origin)?, Solid::new(b, pair.origin)?);
+            if pair.is_narrow {
+                manifold::<Narrow>(&a, &b, &pair)
+            } else {
+                manifold::<Wide>(&a, &b, &pair)
+            }
+        }
+    }
+}
+
+fn manifold<W: Width>(a: &Solid, b: &Solid, pair: &Pair) -> Option<Manifold> {
+    let radii = [a.radius, b.radius];
+    let seam = |normal| Seam { radii, ..pair.seam(normal) };
+    let closest = || closest_convex(&a.corners, &b.corners, Vec3::ZERO, Real::ZERO);
+    if radii != [0; 2]
+        && let Some(nearest) = closest()
+    {
+        return along_nearest::<W>(&seam(nearest.normal), [a, b], &nearest);
+    }
+    // Below 2^38 + 2^40.
+    let Verdict::Best(axis) = separate::<W>(a, b, pair.margin + radii[0] + radii[1]) else {
+        return None;
+    };
+    let normal = axis.map_or_else(|| any_axis(a, b), |axis| axis.normal);
+    match axis.map(|axis| axis.owner) {
+        Some(Owner::FaceOfB(face)) => {
+            let outlines = [b.outline(Some(face), -normal), a.outline_at::<W>(normal)];
+            let closest = || closest_convex(&b.corners, &a.corners, Vec3::ZERO, Real::ZERO);
+            Some(patch::<W>(&seam(normal).flipped(), outlines.each_ref(), closest)?.flipped())
+        }
+        owner => {
+            let outlines = match owner {
+                Some(Owner::Edges([of_a, of_b])) => {
+                    [a.outline(of_a, normal), b.outline(of_b, -normal)]
+                }
+                Some(Owner::FaceOfA(face)) => {
+                    [a.outline(Some(face), normal), b.outline_at::<W>(-normal)]
+                }
+                _ => [a.outline_at::<W>(normal), b.outline_at::<W>(-normal)],
+            };
+            patch::<W>(&seam(normal), outlines.each_ref(), closest)
+        }
+    }
+}
+
+/// The manifold of shapes whose cores are apart, one of them round.
+fn along_nearest<W: Width>(
+    seam: &Seam,
+    [a, b]: [&Solid; 2],
+    nearest: &ClosestConvex,
+) -> Option<Manifold> {
+    let outlines = [a.outline_at::<W>(seam.normal), b.outline_at::<W>(-seam.normal)];
+    let names = [a.name(nearest.on_a, &outlines[0]), b.name(nearest.on_b, &outlines[1])];
+    let deepest = seam.nearest::<W>(names, nearest);
+    if deepest.separation.raw() > seam.margin {
+        return None;
+    }
+    let mut contacts = match [a.segment(), b.segment()] {
+        [Some(a), Some(b)] => side_by_side::<W>(seam, a, b),
+        _ => clip::<W>(seam, outlines.each_ref()),
+    };
+    keep_deepest(&mut contacts, deepest);
+    reduce(seam.normal, [0; 2], &contacts)
+}
+
+/// A direction for cores that meet without being solid: across the segment that is in it, if one
+/// is.
+fn any_axis(a: &Solid, b: &Solid) -> UnitVec3 {
+    let way = |segment: [[i64; 3]; 2]| sub(segment[1], segment[0]);
+    let way = a.segment().or(b.segment()).map_or([0; 3], way);
+    let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+    let shortest = (0..3).min_by_key(|&k| way[k].abs()).unwrap_or(0);
+    // At right angles to the segment and to the axis along which it is shortest.
+    UnitVec3::normalize_wide(cross(way, axes[shortest])).unwrap_or(UnitVec3::X)
+}
+
+/// Where two segments touch that are nearly parallel, with a sine below 1/32: at those ends that
+/// are beside the other one. None of others.
+fn side_by_side<W: Width>(seam: &Seam, a: [[i64; 3]; 2], b: [[i64; 3]; 2]) -> Contacts {
+    let mut contacts = Contacts::new();
+    let [u, v] = [a, b].map(|[from, to]| UnitVec3::normalize(Vec3::from_raw(sub(to, from))));
+    let is_parallel = u.zip(v).is_some_and(|(u, v)| {
+        // The sine, times 2^60.
+        let sine = cross(u.raw(), v.raw()).map(|c| (c >> 30) as i64);
+        dot_wide(sine, sine) < 1 << 50
+    });
+    if !is_parallel {
+        return contacts;
+    }
+    let mut keep = |features: [FeatureId; 2], on: [[i64; 3]; 2]| {
+        let separation = W::round(W::along(seam.normal, sub(on[1], on[0])));
+        let contact = seam.contact::<W>(features, on, separation);
+        if contact.separation.raw() <= seam.margin {
+            contacts.push(contact);
+        }
+    };
+    let edge = FeatureId::edge(0);
+    for (end, at) in (0..).zip(b) {
+        if let Some((foot, _)) = foot::<W>(a, at) {
+            keep([edge, FeatureId::vertex(end)], [foot, at]);
+        }
+    }
+    for (end, at) in (0..).zip(a) {
+        // Ends that are side by side touch once.
+        if let Some((foot, false)) = foot::<W>(b, at) {
+            keep([FeatureId::vertex(end), edge], [at, foot]);
+        }
+    }
+    contacts
+}
+
+/// The point of a segment beside another point, and whether it is an end.
+fn foot<W: Width>(ends: [[i64; 3]; 2], point: [i64; 3]) -> Option<([i64; 3], bool)> {
+    let way = sub(ends[1], ends[0]);
+    // Below 2^86.
+    let (along, whole) = (dot_wide(way, sub(point, ends[0])), dot_wide(way, way));
+    let is_beside = 0 <= along && along <= whole && whole > 0;
+    is_beside.then(|| (between::<W>(ends, [-along, whole - along]), along == 0 || along == whole))
+}
