@@ -48,3 +48,43 @@ pub trait Surface {
         Triangle::between(self.corners(face).map(|vertex| self.position(vertex)))
     }
 }
+
+/// A triangle by itself: vertex k is corner k, edge k goes from there to the next one.
+impl Surface for Triangle {
+    fn bounds(&self) -> Aabb {
+        Self::bounds(self)
+    }
+
+    fn faces_near(&self, bounds: &Aabb, faces: &mut Vec<u32>) {
+        faces.clear();
+        faces.extend(Self::bounds(self).overlaps(bounds).then_some(0));
+    }
+
+    fn corners(&self, _: u32) -> [u32; 3] {
+        [0, 1, 2]
+    }
+
+    fn sides(&self, _: u32) -> [u32; 3] {
+        [0, 1, 2]
+    }
+
+    fn ends(&self, edge: u32) -> [u32; 2] {
+        [[0, 1], [1, 2], [0, 2]][edge as usize]
+    }
+
+    fn position(&self, vertex: u32) -> Vec3 {
+        self.corners()[vertex as usize]
+    }
+
+    fn faces_at_edge(&self, _: u32) -> impl Iterator<Item = u32> {
+        core::iter::once(0)
+    }
+
+    fn faces_at_vertex(&self, _: u32) -> impl Iterator<Item = u32> {
+        core::iter::once(0)
+    }
+
+    fn is_two_sided(&self) -> bool {
+        true
+    }
+}

@@ -1,1 +1,5 @@
+mod feet;
+mod golden;
+mod pairs;
+mod solids;
 mod topology;

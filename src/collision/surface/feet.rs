@@ -30,6 +30,9 @@ struct Candidate {
     on: Feature,
 }
 
+/// Distances are to rounded places: those of two that are equally far differ by no more than this.
+const ROUNDED: Real = Real::from_raw(2);
+
 /// Lists that are used again.
 #[derive(Debug, Default)]
 pub(super) struct Feet {
@@ -44,8 +47,8 @@ impl Feet {
     /// `faces` are all faces within reach, each once. A place is one of a vertex or an edge if it
     /// is the nearest place of **every** face there: so the region of each feature is told by exact
     /// signs, inner edges and vertices of flat or hollow parts have none, and a point has no foot
-    /// twice. The nearest place of all always counts; it does by itself unless faces without an
-    /// area hide which edges are one.
+    /// twice. The nearest place of all counts in any case: where faces without an area hide which
+    /// edges are one, it would be missed.
     pub(super) fn of<'a, S: Surface>(
         &mut self,
         surface: &S,
@@ -55,18 +58,24 @@ impl Feet {
     ) -> &[Foot] {
         self.found.clear();
         self.gather(surface, point, faces, reach);
-        let nearest = self.candidates.iter().min_by_key(|c| (c.distance, c.feature));
-        let Some(&nearest) = nearest else { return &self.found };
-        let side_of_all = side(surface, point, nearest.feature);
-        if side_of_all == Side::Inside {
-            self.found.push(nearest.foot(surface, point, side_of_all));
+        self.candidates.sort_unstable_by_key(|c| c.feature);
+        let groups = || {
+            let same = self.candidates.chunk_by(|a, b| a.feature == b.feature);
+            same.map(|same| (same[0], same.len() == faces_at(surface, same[0].feature)))
+        };
+        let rank = |c: &Candidate| (c.distance, c.feature);
+        let Some((nearest, _)) = groups().min_by_key(|(c, _)| rank(c)) else { return &self.found };
+        let whole = groups().filter(|(_, is_whole)| *is_whole).map(|(c, _)| c).min_by_key(rank);
+        let nearest = match whole {
+            Some(whole) if whole.distance <= nearest.distance + ROUNDED => whole,
+            _ => nearest,
+        };
+        if side(surface, point, nearest.feature) == Side::Inside {
+            self.found.push(nearest.foot(surface, point, Side::Inside));
             return &self.found;
         }
-        self.candidates.sort_unstable_by_key(|c| c.feature);
-        for same in self.candidates.chunk_by(|a, b| a.feature == b.feature) {
-            let candidate = same[0];
-            let is_nearest = candidate.feature == nearest.feature;
-            let is_foot = is_nearest || same.len() == faces_at(surface, candidate.feature);
+        for (candidate, is_whole) in groups() {
+            let is_foot = is_whole || candidate.feature == nearest.feature;
             if is_foot && side(surface, point, candidate.feature) == Side::Outside {
                 self.found.push(candidate.foot(surface, point, Side::Outside));
             }

@@ -5,6 +5,7 @@
 //! where the other lies in its Voronoi region, told by exact signs. So inner edges of flat or
 //! hollow parts never touch anything, and no contact is found twice.
 
+mod contains;
 mod features;
 mod feet;
 mod manifolds;
@@ -15,9 +16,12 @@ mod proximity;
 mod ridges;
 mod round;
 mod side;
+mod skin;
 mod tangle;
 
-pub use manifolds::{manifolds_mesh_height_field, manifolds_mesh_mesh};
+pub use manifolds::{
+    collide_surface, manifolds_half_space_surface, manifolds_mesh_height_field, manifolds_mesh_mesh,
+};
 pub use mesh_shape::MeshShape;
 pub use round::{manifolds_capsule_surface, manifolds_sphere_surface};
 

@@ -49,7 +49,7 @@ impl<'a, A: Surface, B: Surface> NearSurfaces<'a, A, B> {
         self.corners_of_a(&mut found);
         self.corners_of_b(&mut found);
         self.edges(&mut found);
-        found.sort_unstable_by_key(|proximity| proximity.key());
+        found.sort_unstable_by_key(Proximity::key);
         // Corners of both that are nearest to one another have been found twice.
         found.dedup_by_key(|proximity| proximity.contact.features);
         found

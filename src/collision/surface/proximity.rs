@@ -77,3 +77,9 @@ pub(super) fn manifolds(all: &[Proximity], out: &mut Vec<Manifold>) {
 pub(super) fn along(normal: UnitVec3, way: [i64; 3]) -> Real {
     Real::from_raw(to_i64(round_shift_wide(dot_wide(normal.raw(), way), 30)))
 }
+
+/// `normal * length`, by components to nearest.
+pub(super) fn scaled(normal: UnitVec3, length: Real) -> [i64; 3] {
+    let product = |c: i64| i128::from(c) * i128::from(length.raw());
+    normal.raw().map(|c| to_i64(round_shift_wide(product(c), 30)))
+}

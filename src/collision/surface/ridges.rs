@@ -1,11 +1,12 @@
 //! Where edges of two surfaces are nearest, both between their ends.
 
+use super::feet::normal_of;
 use super::near::{Near, is_near, tip};
 use super::proximity::{Proximity, along};
 use crate::collision::{Contact, FeatureId};
 use crate::geometry::{Aabb, Feature, Segment, Surface, closest_segment_segment};
 use crate::math::determinant::{Full, Middle, Width, cross};
-use crate::math::wide::{NARROW_MAX, sub};
+use crate::math::wide::{NARROW_MAX, dot_wide, sub};
 use crate::math::{Real, UnitVec3, Vec3};
 
 /// An edge of a surface.
@@ -84,12 +85,25 @@ pub(super) fn crossing<A: Surface, B: Surface>(
     let direction = UnitVec3::normalize_wide(cross(u, v))?;
     let normal = if is_forward { direction } else { -direction };
     let separation = along(normal, way);
-    if separation > margin || separation < -depth {
+    let is_deep = separation < Real::ZERO;
+    if separation > margin
+        || separation < -depth
+        || is_deep && !(dives(a, -normal) && dives(b, normal))
+    {
         return None;
     }
     let features = [ridge_a.edge, ridge_b.edge].map(FeatureId::edge);
     let (on_a, on_b) = (on_a.position, on_b.position);
     Some(Proximity { normal, contact: Contact { features, on_a, on_b, separation } })
+}
+
+/// Whether a direction leads into what an edge is part of, and not only along a face.
+fn dives<S: Surface>((surface, ridge): Rim<'_, S>, direction: UnitVec3) -> bool {
+    /// A sine of 1 / 64.
+    const LEAST: i128 = 1 << 54;
+    let Some(surface) = surface else { return true };
+    let mut normals = surface.faces_at_edge(ridge.edge).filter_map(|face| normal_of(surface, face));
+    normals.all(|normal| dot_wide(normal.raw(), direction.raw()) < -LEAST)
 }
 
 /// Whether the normal is along the direction or, `Some(false)`, against it; none if it is neither.

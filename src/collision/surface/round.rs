@@ -6,13 +6,13 @@ use super::REACH_MAX;
 use super::feet::Feet;
 use super::manifolds::grown;
 use super::near::{Near, is_near};
-use super::proximity::{Proximity, along, manifolds};
+use super::proximity::{Proximity, along, manifolds, scaled};
 use super::ridges::{Ridge, crossing};
 use crate::collision::{Contact, FeatureId, Manifold};
 use crate::geometry::{
     Aabb, Capsule, Feature, Segment, Sphere, Surface, closest_point_segment, normal_point_segment,
 };
-use crate::math::wide::{round_shift_wide, sub, to_i64};
+use crate::math::wide::sub;
 use crate::math::{Real, UnitVec3, Vec3};
 
 /// Adds the manifolds of a sphere and a surface that are nearer than `margin`.
@@ -139,11 +139,7 @@ impl<'a, S: Surface> Round<'a, S> {
     }
 }
 
-/// A point moved along a unit vector, by less than 2^61 raw units.
+/// A point moved along a unit vector.
 fn step(point: Vec3, normal: UnitVec3, length: Real) -> Vec3 {
-    let way = normal.raw().map(|c| {
-        let product = i128::from(c) * i128::from(length.raw());
-        to_i64(round_shift_wide(product, 30))
-    });
-    point + Vec3::from_raw(way)
+    point + Vec3::from_raw(scaled(normal, length))
 }

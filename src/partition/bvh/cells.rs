@@ -110,7 +110,7 @@ impl Cells {
         for k in 0..3 {
             // Both are within 2^60.
             let way = finer.base[k] - self.base[k];
-            let (low, high) = (way - reach >> self.shift, -(-way - reach >> self.shift));
+            let (low, high) = ((way - reach) >> self.shift, -((-way - reach) >> self.shift));
             // Both trees are within 0..=CELLS_MAX of their own cells.
             if low.max(-high) > i64::from(CELLS_MAX) {
                 return None;

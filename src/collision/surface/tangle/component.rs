@@ -6,10 +6,10 @@ use alloc::vec::Vec;
 use super::contour::{Contour, Knot};
 use super::groups::Groups;
 use super::inside::inside;
-use crate::collision::patch::reduce;
-use crate::collision::{Contact, FeatureId, FeatureKind, Manifold};
+use crate::collision::surface::proximity::scaled;
+use crate::collision::{Contact, FeatureId, FeatureKind};
 use crate::geometry::{Aabb, Surface};
-use crate::math::wide::{add, dot_wide, round_shift_wide, sub, to_i64};
+use crate::math::wide::{dot_wide, round_shift_wide, sub, to_i64};
 use crate::math::{Real, UnitVec3, Vec3};
 
 /// Lines and vertices that are joined.
@@ -68,7 +68,7 @@ fn areas(contour: &Contour, lines: &[u32]) -> Vec<(u32, [i128; 3])> {
     let mut areas = vec![[0; 3]; lines.len()];
     for link in &contour.links {
         let line = lines[link.knots[0] as usize] as usize;
-        let term = contour.area(link, contour.knots[line].position);
+        let term = contour.area(*link, contour.knots[line].position);
         areas[line] = [0, 1, 2].map(|k| areas[line][k] + term[k]);
     }
     let is_line = |(number, _): &(u32, _)| lines[*number as usize] == *number;
@@ -128,27 +128,27 @@ impl Component {
         Real::from_raw(to_i64(round_shift_wide(highest - lowest, 30)))
     }
 
-    /// The manifold of all knots and vertices, which are as deep as one another.
-    pub(super) fn manifold(&self, normal: UnitVec3, depth: Real) -> Option<Manifold> {
-        let first = self.knots.first()?;
-        let [x, y, z] = normal.raw().map(|c| {
-            let product = i128::from(c) * i128::from(depth.raw());
-            Real::from_raw(to_i64(round_shift_wide(product, 30)))
-        });
-        let way = Vec3::new(x, y, z);
-        let separation = -depth;
-        let contact = |features, on_a| Contact { features, on_a, on_b: on_a - way, separation };
-        let knots = self.knots.iter().map(|knot| contact(knot.features, knot.position));
+    /// Contacts at all knots and vertices, which are as deep as one another.
+    pub(super) fn contacts(&self, normal: UnitVec3, depth: Real) -> Vec<Contact> {
+        let Some(first) = self.knots.first() else { return Vec::new() };
+        let way = Vec3::from_raw(scaled(normal, depth));
+        let contact = |features: [FeatureId; 2], on_a: Vec3| Contact {
+            features,
+            on_a,
+            on_b: on_a - way,
+            separation: -depth,
+        };
+        let mut contacts: Vec<_> =
+            self.knots.iter().map(|knot| contact(knot.features, knot.position)).collect();
         let [of_a, of_b] = &self.inside;
-        let of_a = of_a.iter().map(|&(vertex, position)| {
+        contacts.extend(of_a.iter().map(|&(vertex, position)| {
             contact([FeatureId::vertex(vertex), first.features[1]], position)
-        });
-        let of_b = of_b.iter().map(|&(vertex, position)| {
+        }));
+        contacts.extend(of_b.iter().map(|&(vertex, position)| {
             contact([first.features[0], FeatureId::vertex(vertex)], position + way)
-        });
-        let mut contacts: Vec<_> = knots.chain(of_a).chain(of_b).collect();
+        }));
         contacts.sort_unstable_by_key(|contact| contact.features);
         contacts.dedup_by_key(|contact| contact.features);
-        reduce(normal, [0; 2], &contacts)
+        contacts
     }
 }

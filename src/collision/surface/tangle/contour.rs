@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use crate::collision::FeatureId;
 use crate::collision::surface::feet::normal_of;
-use crate::geometry::{Feature, Surface, intersection_triangle_triangle};
+use crate::geometry::{Feature, Intersection, Surface, intersection_triangle_triangle};
 use crate::math::determinant::cross;
 use crate::math::wide::sub;
 use crate::math::{UnitVec3, Vec3};
@@ -41,7 +41,7 @@ impl Contour {
         for &faces in pairs {
             let triangles = (a.triangle(faces[0]), b.triangle(faces[1]));
             let found = intersection_triangle_triangle(&triangles.0, &triangles.1);
-            let Some([from, to]) = found.as_ref().map(|found| found.points()) else { continue };
+            let Some([from, to]) = found.as_ref().map(Intersection::points) else { continue };
             let knots = [from, to].map(|point| {
                 let features = [name(a, faces[0], point.on_a), name(b, faces[1], point.on_b)];
                 Knot { features, position: point.position, faces }
@@ -63,7 +63,7 @@ impl Contour {
 
     /// Twice the area of what a closed line of these links spans, as a vector, from an origin near
     /// to them: terms are below 2^85, of less than 2^31.
-    pub(super) fn area(&self, link: &Link, origin: Vec3) -> [i128; 3] {
+    pub(super) fn area(&self, link: Link, origin: Vec3) -> [i128; 3] {
         let [from, to] =
             link.knots.map(|knot| sub(self.knots[knot as usize].position.raw(), origin.raw()));
         cross(from, to)

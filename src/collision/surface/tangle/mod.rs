@@ -15,18 +15,18 @@ use alloc::vec::Vec;
 
 use super::DEPTH_MAX;
 use super::proximity::Proximity;
-use crate::collision::{FeatureId, FeatureKind, Manifold};
+use crate::collision::{Contact, FeatureId, FeatureKind};
 use crate::geometry::Surface;
-use crate::math::Real;
+use crate::math::{Real, UnitVec3};
 
 use component::components;
 use contour::Contour;
 
-/// Parts in which two solids have gone through one another: a manifold for each, and the vertices
-/// and edges of both that lie in them, whose proximities mislead.
+/// Parts in which two solids have gone through one another: for each a normal and contacts, and the
+/// vertices and edges of both that lie in any, whose proximities mislead.
 #[derive(Debug, Default)]
 pub(super) struct Tangle {
-    pub(super) manifolds: Vec<Manifold>,
+    pub(super) parts: Vec<(UnitVec3, Vec<Contact>)>,
     /// Sorted, as pairs of which and what: 0 for A, 1 for B.
     drowned: Vec<(usize, FeatureId)>,
 }
@@ -52,16 +52,15 @@ impl Tangle {
             let own = component.features();
             let told = |p: &Proximity| p.contact.separation <= Real::ZERO && holds(&own, p);
             if depth > DEPTH_MAX || !proximities.iter().any(told) {
-                tangle.manifolds.extend(component.manifold(normal, depth));
+                tangle.parts.push((normal, component.contacts(normal, depth)));
                 tangle.drowned.extend(own);
             }
         }
         tangle.drowned.sort_unstable();
-        tangle.manifolds.sort_unstable_by_key(|manifold| manifold.contacts()[0].features);
         tangle
     }
 
-    /// Whether a proximity is one of a part that has its own manifold.
+    /// Whether a proximity is one of a part that has contacts of its own.
     pub(super) fn covers(&self, proximity: &Proximity) -> bool {
         holds(&self.drowned, proximity)
     }
