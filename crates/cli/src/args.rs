@@ -9,6 +9,7 @@ use verlock::snapshot::Snapshot;
 
 use crate::bisect::Bisect;
 use crate::completions::Completions;
+use crate::contacts::Contacts;
 use crate::diff::Diff;
 use crate::dump::Dump;
 use crate::exit::Exit;
@@ -57,6 +58,7 @@ pub(crate) enum Command {
     Render(Render),
     Overlap(Overlap),
     Toi(Toi),
+    Contacts(Contacts),
     Completions(Completions),
     Man(Man),
 }
@@ -75,6 +77,7 @@ impl Command {
             Self::Render(render) => render.execute(limit, out),
             Self::Overlap(overlap) => overlap.execute(limit, out),
             Self::Toi(toi) => toi.execute(limit, out),
+            Self::Contacts(contacts) => contacts.execute(limit, out),
             Self::Completions(completions) => completions.execute(out),
             Self::Man(man) => man.execute(out),
         }

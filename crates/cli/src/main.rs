@@ -5,6 +5,7 @@
 mod args;
 mod bisect;
 mod completions;
+mod contacts;
 mod count;
 mod diff;
 mod dump;

@@ -1,7 +1,7 @@
 //! `verlock overlap`: where two meshes intersect.
 
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use serde_json::{Value, json};
@@ -57,7 +57,7 @@ pub(crate) struct Overlap {
 
 impl Overlap {
     pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
-        let target = self.target()?;
+        let target = picture(self.render.as_deref(), self.force, [&self.a, &self.b])?;
         let inputs = Input::read_two(&self.a, &self.b, limit)?;
         let meshes = [mesh(&inputs[0])?, mesh(&inputs[1])?];
         let [tree_a, tree_b] = meshes.each_ref().map(|mesh| <Bvh>::new(Arc::clone(mesh)));
@@ -85,23 +85,27 @@ impl Overlap {
         }
         Ok(Exit::Fine)
     }
+}
 
-    /// The file of the picture.
-    fn target(&self) -> Result<Option<Target>, Failure> {
-        let Some(path) = &self.render else { return Ok(None) };
-        let target = Target::new(path.clone(), self.force)?;
-        if target.is_stdout() {
-            return Err(Failure::usage("stdout is for the pairs: name a file for the picture"));
-        }
-        if Format::of(path)? != Format::Png {
-            return Err(Failure::usage(format!("{}: is no .png", path.display())));
-        }
-        if target.is(&self.a) || target.is(&self.b) {
-            let path = path.display();
-            return Err(Failure::usage(format!("{path}: a mesh would be overwritten")));
-        }
-        Ok(Some(target))
+/// The file of a picture of meshes, which it must not overwrite.
+pub(crate) fn picture(
+    path: Option<&Path>,
+    force: bool,
+    meshes: [&PathBuf; 2],
+) -> Result<Option<Target>, Failure> {
+    let Some(path) = path else { return Ok(None) };
+    let target = Target::new(path.to_owned(), force)?;
+    if target.is_stdout() {
+        return Err(Failure::usage("stdout is for the list: name a file for the picture"));
     }
+    if Format::of(path)? != Format::Png {
+        return Err(Failure::usage(format!("{}: is no .png", path.display())));
+    }
+    if meshes.iter().any(|mesh| target.is(mesh)) {
+        let path = path.display();
+        return Err(Failure::usage(format!("{path}: a mesh would be overwritten")));
+    }
+    Ok(Some(target))
 }
 
 /// Writes a JSON array item by item.

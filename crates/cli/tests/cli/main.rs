@@ -3,6 +3,7 @@
 /// Where two recordings part.
 mod bisect;
 /// Files whose hashes are repaired after a change.
+mod contacts;
 mod container;
 /// Two states compared.
 mod diff;

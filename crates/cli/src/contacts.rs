@@ -1,0 +1,156 @@
+//! `verlock contacts`: where two meshes touch.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use serde_json::{Value, json};
+use verlock::collision::{
+    Contact, FeatureId, FeatureKind, Manifold, MeshShape, manifolds_mesh_mesh,
+};
+use verlock::geometry::Surface;
+use verlock::math::UnitVec3;
+use verlock::world::{DrawSink, Shade};
+use verlock::{Real, Vec3};
+
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::overlap::{mesh, picture};
+use crate::render::{self, View, size};
+
+/// List where two meshes touch, and which way they part
+///
+/// Manifolds: up to four contacts that share a normal, from A to B. A line for every contact: what
+/// of A touches what of B (v, e or f for a vertex, edge or face, counted from 0), how far they are
+/// apart along the normal in metres (negative where they overlap), the normal, the point on A and
+/// that on B. In JSON: "manifolds", with coordinates as text. Returns 0 whether or not there are
+/// any.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Contacts {
+    /// Mesh A, an OBJ file
+    a: PathBuf,
+
+    /// Mesh B, an OBJ file
+    b: PathBuf,
+
+    /// What is farther apart than this does not touch, metres
+    #[arg(long, value_name = "M", value_parser = margin, default_value = "0.005")]
+    margin: Real,
+
+    /// Take faces for sheets without an inside
+    #[arg(long)]
+    two_sided: bool,
+
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+
+    /// Paint both meshes and the normals of all contacts: a .png
+    #[arg(long, value_name = "PNG")]
+    render: Option<PathBuf>,
+
+    /// Pixels of the picture
+    #[arg(long, value_name = "WxH", value_parser = size, default_value = "640x480")]
+    size: [u32; 2],
+
+    /// Where the camera stands
+    #[arg(long, value_enum, default_value_t)]
+    view: View,
+
+    /// Overwrite the picture
+    #[arg(long)]
+    force: bool,
+}
+
+impl Contacts {
+    pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
+        let target = picture(self.render.as_deref(), self.force, [&self.a, &self.b])?;
+        let inputs = Input::read_two(&self.a, &self.b, limit)?;
+        let shape = |input: &Input| -> Result<MeshShape, Failure> {
+            let shape = MeshShape::new(mesh(input)?);
+            Ok(if self.two_sided { shape.two_sided() } else { shape })
+        };
+        let shapes = [shape(&inputs[0])?, shape(&inputs[1])?];
+        let mut manifolds = Vec::new();
+        manifolds_mesh_mesh(&shapes[0], &shapes[1], self.margin, &mut manifolds);
+        if let Some(target) = target {
+            let draw = |sink: &mut dyn DrawSink| draw(&shapes, &manifolds, sink);
+            target.write(&render::still(self.size, self.view, &draw)?, out)?;
+        }
+        if self.json {
+            let all: Vec<_> = manifolds.iter().map(told).collect();
+            writeln!(out, "{}", json!({ "v": 1, "manifolds": all }))?;
+            return Ok(Exit::Fine);
+        }
+        for manifold in &manifolds {
+            for Contact { features: [a, b], on_a, on_b, separation } in manifold.contacts() {
+                let [normal, on_a, on_b] =
+                    [direction(manifold.normal), place(*on_a), place(*on_b)].map(|p| p.join(", "));
+                let (a, b) = (name(*a), name(*b));
+                writeln!(out, "{a} {b} {separation} ({normal}) ({on_a}) ({on_b})")?;
+            }
+        }
+        Ok(Exit::Fine)
+    }
+}
+
+/// A length of 0 or more.
+fn margin(text: &str) -> Result<Real, String> {
+    match Real::parse(text) {
+        Ok(margin) if margin < Real::ZERO => Err("is below 0".into()),
+        Ok(margin) => Ok(margin),
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+/// As in `v12`.
+fn name(feature: FeatureId) -> String {
+    let kind = match feature.kind() {
+        FeatureKind::Vertex => 'v',
+        FeatureKind::Edge => 'e',
+        FeatureKind::Face => 'f',
+    };
+    format!("{kind}{}", feature.index())
+}
+
+fn direction(UnitVec3 { x, y, z }: UnitVec3) -> [String; 3] {
+    [x, y, z].map(|c| c.to_string())
+}
+
+fn place(Vec3 { x, y, z }: Vec3) -> [String; 3] {
+    [x, y, z].map(|c| c.to_string())
+}
+
+fn told(manifold: &Manifold) -> Value {
+    let contact = |contact: &Contact| {
+        let Contact { features, on_a, on_b, separation } = *contact;
+        json!({
+            "features": features.map(name),
+            "separation": separation.to_string(),
+            "on_a": place(on_a),
+            "on_b": place(on_b),
+        })
+    };
+    let contacts: Vec<_> = manifold.contacts().iter().map(contact).collect();
+    json!({ "normal": direction(manifold.normal), "contacts": contacts })
+}
+
+/// Both meshes, the points on B, and from there a twelfth of the scene along the normals.
+fn draw(shapes: &[MeshShape; 2], manifolds: &[Manifold], sink: &mut dyn DrawSink) {
+    for (shape, shade) in shapes.iter().zip([Shade::Face, Shade::Collider]) {
+        let faces = 0..u32::try_from(shape.mesh().faces().len()).unwrap_or(u32::MAX);
+        faces.for_each(|face| sink.triangle(*shape.triangle(face).corners(), shade));
+    }
+    let [a, b] = shapes.each_ref().map(Surface::bounds);
+    // Below 2^62.
+    let length = Real::from_raw(i64::try_from(a.union(b).span() / 12).unwrap_or(0));
+    for manifold in manifolds {
+        for contact in manifold.contacts() {
+            // From 30 fraction bits to 24.
+            let normal = Vec3::from_raw(manifold.normal.raw().map(|c| c >> 6));
+            let end = contact.on_b + normal * length;
+            sink.line([contact.on_b, end], Shade::Contact);
+            sink.point(contact.on_b, Shade::Contact);
+        }
+    }
+}
