@@ -17,7 +17,7 @@ use alloc::vec::Vec;
 
 use super::Shape;
 use super::distance::{self, Core, Skin, View, along, grown, height};
-use crate::geometry::{HalfSpace, Segment};
+use crate::geometry::{Aabb, HalfSpace, Segment};
 use crate::math::wide::{round_shift_wide, to_i64};
 use crate::math::{Real, Unit, UnitVec3, Vec3};
 
@@ -47,6 +47,9 @@ pub struct Touch {
 /// After so many planes a cast ends with the time it knows. It takes fewer than ten, but for what
 /// slips past with nothing between.
 const STEPS_MAX: u32 = 64;
+
+/// A way along a surface is looked at in so many parts.
+const PARTS_MAX: u32 = 64;
 
 /// When A, moving by `motion` in metres without turning, first touches B, which rests; `None` if it
 /// does not. O(n) for each of a few steps.
@@ -111,25 +114,50 @@ pub(super) fn between(a: &View, motion: Vec3, b: &View) -> Option<Cast> {
 /// The first of both, of two at a time the one with lower numbers.
 fn earlier(best: Option<Cast>, next: Option<Cast>) -> Option<Cast> {
     let (Some(first), Some(second)) = (best, next) else { return best.or(next) };
-    if second.time < first.time { next } else { best }
+    let rank = |cast: Cast| (cast.time, cast.part_a, cast.part_b);
+    if rank(second) < rank(first) { next } else { best }
 }
 
-/// As `of_convex`, with every face of a surface that rests.
+/// As `of_convex`, with every face of a surface that rests: those near a part of the way after
+/// those near the parts before, until one is touched.
 fn onto_skin(a: &Core, motion: Vec3, b: Skin, until: Unit) -> Option<Cast> {
     let bounds = a.bounds();
-    let end = [bounds.min(), bounds.max()].map(|corner| corner + motion);
+    let longest = motion.raw().map(i64::unsigned_abs).into_iter().max().unwrap_or(0);
+    // Parts are about as long as the shape, or as a small part of the surface.
+    let length = bounds.span().max(b.bounds().span() / u64::from(PARTS_MAX)).max(1);
+    let parts = (longest / length).clamp(1, PARTS_MAX.into()) as u32; // at most PARTS_MAX
+    // Rounded down, and the last one is the end.
+    let time = |part: u32| {
+        Unit::from_raw((i64::from(Unit::ONE.raw()) * i64::from(part) / i64::from(parts)) as i32)
+    };
+    let place = |time: Unit| {
+        let way = part_of(motion, time);
+        Aabb::new(bounds.min() + way, bounds.max() + way)
+    };
     let mut faces = Vec::new();
-    // A unit more, as what passes is rounded.
-    b.faces_near(&grown(&bounds.with(end[0]).with(end[1]), Real::ULP), &mut faces);
-    faces.into_iter().fold(None, |best, face| {
-        let until = best.map_or(until, |best: Cast| best.time);
-        let next = of_convex(a, motion, &b.triangle(face).into(), until);
-        earlier(best, next.map(|next| Cast { part_b: face, ..next }))
-    })
+    let mut best: Option<Cast> = None;
+    for part in 0..parts {
+        let end = time(part + 1);
+        let swept = place(time(part)).union(place(end));
+        // A unit more, as places are rounded.
+        b.faces_near(&grown(&swept, Real::ULP), &mut faces);
+        for &face in &faces {
+            let until = best.map_or(until, |best| best.time);
+            let next = of_convex(a, motion, &b.triangle(face).into(), until);
+            best = earlier(best, next.map(|next| Cast { part_b: face, ..next }));
+        }
+        if best.is_some_and(|best| best.time <= end) {
+            break;
+        }
+    }
+    best
 }
 
 /// As [`cast`], or `None` if not until then.
 fn of_convex(a: &Core, motion: Vec3, b: &Core, until: Unit) -> Option<Cast> {
+    if b.is_passed_by(a, motion) {
+        return None;
+    }
     let mut cast = Cast::OVERLAP;
     for _ in 0..STEPS_MAX {
         let now = cast.time;

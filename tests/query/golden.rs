@@ -31,5 +31,5 @@ fn distances_and_casts_are_as_accepted() {
             }
         }
     }
-    assert_eq!(Hash::of(&bytes).to_string(), "b552cf58e88a0d6c169498f1f9b01d0d");
+    assert_eq!(Hash::of(&bytes).to_string(), "6a42f59dd88088e5d1bddcdb57798446");
 }

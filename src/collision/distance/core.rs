@@ -3,6 +3,7 @@
 use super::skin::{Skin, grown};
 use crate::collision::Shape;
 use crate::geometry::{Aabb, HalfSpace, Triangle};
+use crate::math::determinant::{cross, dot};
 use crate::math::wide::{round_shift_wide, to_i64};
 use crate::math::{Real, UnitVec3, Vec3};
 
@@ -41,6 +42,33 @@ impl Core<'_> {
 
     pub(in crate::collision) fn point(point: Vec3) -> Self {
         Self { points: Points::One([point]), radius: Real::ZERO }
+    }
+
+    /// Whether it is a triangle on whose plane another does not come, at the start, at the end or
+    /// between. Quick, and silent in case of doubt.
+    pub(in crate::collision) fn is_passed_by(&self, other: &Core, motion: Vec3) -> bool {
+        let Points::Three([a, b, c]) = self.points else { return false };
+        // Sides are below 2^41, so that a normal is below 2^83 and a height below 2^127.
+        let is_near = |way: Vec3| way.raw().into_iter().all(|c| c.unsigned_abs() < 1 << 42);
+        let normal = cross((b - a).raw(), (c - a).raw());
+        // A round shape reaches as far as the normal is long, which is no more than this: 2^124.
+        let length = normal.iter().map(|c| c.unsigned_abs()).sum::<u128>();
+        let reach = length * u128::from(other.radius.raw().unsigned_abs());
+        let mut is_free = [true; 2]; // behind and in front
+
+        for &point in other.points() {
+            for way in [point - a, point + motion - a] {
+                if !is_near(way) {
+                    return false;
+                }
+                let height = dot(&normal, way.raw());
+                is_free[usize::from(height > 0)] = false;
+                if height.unsigned_abs() <= reach {
+                    return false;
+                }
+            }
+        }
+        is_free != [false; 2]
     }
 
     /// The box around it.

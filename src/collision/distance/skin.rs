@@ -37,6 +37,24 @@ impl Skin<'_> {
         }
     }
 
+    /// A face that is likely to be near a box.
+    fn face_towards(&self, bounds: &Aabb) -> u32 {
+        let (own, other) = (self.bounds(), *bounds);
+        let [low, high] = [own.min(), own.max()].map(Vec3::raw);
+        let (from, to) = (other.min().raw(), other.max().raw());
+        let middle = [0, 1, 2].map(|k| from[k].midpoint(to[k]).clamp(low[k], high[k]));
+        match self {
+            Self::Mesh(mesh) => mesh.tree().nearest(Vec3::from_raw(middle)).face,
+            Self::Field(field) => {
+                let [x, _, z] = middle;
+                let [bottom, top] = [low[1], high[1]].map(|y| Vec3::from_raw([x, y, z]));
+                let mut faces = Vec::new();
+                field.faces_near(&Aabb::new(bottom, top), &mut faces);
+                faces.first().copied().unwrap_or(0)
+            }
+        }
+    }
+
     pub(in crate::collision) fn faces(&self) -> Vec<u32> {
         let mut faces = Vec::new();
         self.faces_near(&self.bounds(), &mut faces);
@@ -47,9 +65,10 @@ impl Skin<'_> {
 /// The nearest so far; a break where something overlaps.
 type Search = ControlFlow<(), Option<Closest>>;
 
-/// Compares two, the second of which has a higher number.
+/// The nearer one, of two at a distance the one of the lower face.
 fn nearer(best: Option<Closest>, next: Closest) -> Closest {
-    best.filter(|best| best.distance <= next.distance).unwrap_or(next)
+    let rank = |closest: &Closest| (closest.distance, closest.part_a, closest.part_b);
+    best.filter(|best| rank(best) <= rank(&next)).unwrap_or(next)
 }
 
 /// The nearest points of a surface, A, and a convex shape, B; `None` where they overlap.
@@ -62,9 +81,8 @@ pub(super) fn to_skin(a: Skin, b: Skin) -> Option<Closest> {
     let mut best: Option<Closest> = None;
     for face in a.faces() {
         let triangle = a.triangle(face);
-        // Nothing nearer lies farther than the box of B.
-        let gap = gap(&triangle.bounds(), &b.bounds());
-        if best.is_some_and(|best| gap > best.distance) {
+        let is_far = |best: Closest| is_farther(&triangle.bounds(), &b.bounds(), best.distance);
+        if best.is_some_and(is_far) {
             continue;
         }
         let known = best.map(Closest::flipped);
@@ -87,39 +105,46 @@ pub(super) fn to_half_space(a: &HalfSpace, b: Skin) -> Option<Closest> {
     best
 }
 
-/// The faces within a reach, which grows until it is as far as the nearest of them; or those that
-/// are nearer than what is known.
+/// What is nearer than what is known; if nothing is, a face that is likely to be near limits the
+/// others.
 fn search(a: Skin, b: &Core, mut best: Option<Closest>) -> Search {
-    let (around_a, around_b) = (a.bounds(), b.bounds());
-    let gap = gap(&around_a, &around_b).raw();
-    // Faces are many, so the first reach is a small part of all; at most 2^41 here.
-    let mut more = (around_a.span().cast_signed() >> 6) + 1;
+    let around = b.bounds();
+    if best.is_none() {
+        best = compare(a, a.face_towards(&around), b, &around, best)?;
+    }
     let mut faces = Vec::new();
-    loop {
-        // A distance is rounded, by less than two units.
-        let known = best.map(|best| best.distance.raw() + 2);
-        let reach = known.unwrap_or(i64::MAX).min(gap.saturating_add(more));
-        a.faces_near(&grown(&around_b, Real::from_raw(reach)), &mut faces);
-        for &face in &faces {
-            let Some(found) = of_convex(&a.triangle(face).into(), b, Vec3::ZERO) else {
-                return ControlFlow::Break(());
-            };
-            best = Some(nearer(best, Closest { part_a: face, ..found }));
-        }
-        let is_known = best.is_some_and(|best| best.distance.raw() + 2 <= reach);
-        if is_known || known == Some(reach) {
-            return ControlFlow::Continue(best);
-        }
-        more = more.saturating_mul(2);
+    // Distances are rounded, by less than two units.
+    let reach = best.map_or(Real::ZERO, |best| best.distance + Real::from_raw(2));
+    a.faces_near(&grown(&around, reach), &mut faces);
+    for face in faces {
+        best = compare(a, face, b, &around, best)?;
+    }
+    ControlFlow::Continue(best)
+}
+
+/// The nearest so far or the one of this face, if its box is not too far away.
+fn compare(a: Skin, face: u32, b: &Core, around: &Aabb, best: Option<Closest>) -> Search {
+    let triangle = a.triangle(face);
+    let is_far = |best: Closest| is_farther(&triangle.bounds(), around, best.distance);
+    if best.is_some_and(is_far) {
+        return ControlFlow::Continue(best);
+    }
+    match of_convex(&triangle.into(), b, Vec3::ZERO) {
+        None => ControlFlow::Break(()),
+        Some(found) => ControlFlow::Continue(Some(nearer(best, Closest { part_a: face, ..found }))),
     }
 }
 
-/// How far two boxes are from each other along the axis where it is most: what is in them is not
-/// nearer.
-fn gap(a: &Aabb, b: &Aabb) -> Real {
+/// Whether two boxes, and so what is in them, are farther from each other than that, and more than
+/// a rounded distance may be wrong.
+fn is_farther(a: &Aabb, b: &Aabb, distance: Real) -> bool {
     let [low_a, high_a, low_b, high_b] = [a.min(), a.max(), b.min(), b.max()].map(Vec3::raw);
-    let along = |k: usize| (low_b[k] - high_a[k]).max(low_a[k] - high_b[k]);
-    Real::from_raw(along(0).max(along(1)).max(along(2)).max(0))
+    // At most 2^62, so that squares sum.
+    let square = |k: usize| {
+        let gap = (low_b[k] - high_a[k]).max(low_a[k] - high_b[k]).max(0);
+        u128::from(gap.unsigned_abs()).pow(2)
+    };
+    square(0) + square(1) + square(2) > u128::from(distance.raw().unsigned_abs() + 2).pow(2)
 }
 
 /// A box that is larger by as much on every side, as far as there are numbers.

@@ -19,16 +19,24 @@ pub(super) fn blend<A: Area, const N: usize>(
     corners: [Vec3; N],
     shares: [A; N],
 ) -> (Vec3, [Unit; N]) {
-    let whole = shares.into_iter().fold(A::default(), A::plus);
+    // Loops, as `map` of arrays is not inlined.
+    let mut whole = A::default();
+    let mut base = corners[0];
+    for i in 0..N {
+        whole = whole.plus(shares[i]);
+        base = base.min(corners[i]);
+    }
     let shift = whole.bits().saturating_sub(SHARE_BITS);
-    let estimates = shares.map(|share| {
+    let divisor = u128::from(whole.leading(shift));
+    let mut estimates = [0; N];
+    let mut sides = [[0; 3]; N];
+    for i in 0..N {
         // At most 2^124 / 2^61: no share is more than the whole.
-        let share = u128::from(share.leading(shift)) << SHARE_BITS;
-        to_i64((share / u128::from(whole.leading(shift))).cast_signed())
-    });
-    let base = corners.iter().fold(corners[0], |base, &corner| base.min(corner)).raw();
-    let sides = corners.map(|corner| sub(corner.raw(), base));
-    let position = [0, 1, 2].map(|k| {
+        let share = u128::from(shares[i].leading(shift)) << SHARE_BITS;
+        estimates[i] = to_i64((share / divisor).cast_signed());
+        sides[i] = sub(corners[i].raw(), base.raw());
+    }
+    let along = |k: usize| {
         let mut estimate = 0;
         let mut exact = A::default();
         for i in 0..N {
@@ -36,8 +44,9 @@ pub(super) fn blend<A: Area, const N: usize>(
             exact = exact.plus(shares[i].times(sides[i][k]));
         }
         nearest(exact, whole, to_i64(estimate >> SHARE_BITS))
-    });
-    (Vec3::from_raw(add(base, position)), weights(shares, whole, estimates))
+    };
+    let position = add(base.raw(), [along(0), along(1), along(2)]);
+    (Vec3::from_raw(position), weights(shares, whole, estimates))
 }
 
 /// The shares as fractions whose sum is 1.
@@ -55,7 +64,11 @@ fn weights<A: Area, const N: usize>(shares: [A; N], whole: A, estimates: [i64; N
     let sum: i64 = weights.iter().sum();
     // The sum is wrong by less than N / 2 + 1, and the largest weight not below 1 / N.
     weights[largest] += i64::from(Unit::ONE.raw()) - sum;
-    weights.map(|weight| Unit::from_raw(to_i32(weight)))
+    let mut fractions = [Unit::ZERO; N];
+    for i in 0..N {
+        fractions[i] = Unit::from_raw(to_i32(weights[i]));
+    }
+    fractions
 }
 
 /// `n / d` to nearest, ties away from zero, given its floor or a number next to that. What `n` does

@@ -90,7 +90,8 @@ fn between_edges<W: Width>(a: [Vec3; 2], b: [Vec3; 2]) -> Option<UnitVec3> {
 /// The way from a point to another.
 #[inline]
 pub(super) fn to_point<W: Width>(from: Vec3, to: Vec3) -> [W::Area; 3] {
-    W::difference(to, from).map(|side| W::widen(W::raise(side)))
+    let [x, y, z] = W::difference(to, from);
+    [W::widen(W::raise(x)), W::widen(W::raise(y)), W::widen(W::raise(z))]
 }
 
 /// The way from a point to the line through two others, times the square of their distance.
@@ -103,31 +104,28 @@ pub(super) fn to_line<W: Width>(point: Vec3, [from, to]: [Vec3; 2]) -> [W::Area;
 /// nothing from a point on it.
 #[inline]
 pub(super) fn to_plane<W: Width>(point: Vec3, corners: &[Vec3; 3]) -> [W::Area; 3] {
-    let [e, f] = [1, 2].map(|end| W::difference(corners[end], corners[0]));
-    towards::<W>(W::cross(e, f), W::difference(corners[0], point))
+    let [a, b, c] = *corners;
+    let normal = W::cross(W::difference(b, a), W::difference(c, a));
+    towards::<W>(normal, W::difference(a, point))
 }
 
 /// The part of a way that is at right angles to an edge: `way (e . e) - e (e . way)`.
 #[inline]
 fn across<W: Width>(edge: [W::Side; 3], way: [W::Side; 3]) -> [W::Area; 3] {
     let (whole, along) = (W::dot(edge, edge), W::dot(edge, way));
-    [0, 1, 2].map(|k| {
-        let [way, edge] = [way[k], edge[k]].map(W::raise);
-        W::minor(way, whole, edge, along)
-    })
+    let part = |k: usize| W::minor(W::raise(way[k]), whole, W::raise(edge[k]), along);
+    [part(0), part(1), part(2)]
 }
 
 /// A normal, or the opposite one, whichever goes with a way; nothing across it.
 #[inline]
 fn towards<W: Width>(normal: [W::Dot; 3], way: [W::Side; 3]) -> [W::Area; 3] {
     let zero = W::Dot::default();
-    let sum = [0, 1, 2]
-        .map(|k| W::minor(normal[k], W::raise(way[k]), zero, zero))
-        .into_iter()
-        .fold(W::Area::default(), W::Area::plus);
-    match sum.cmp(&W::Area::default()) {
-        Ordering::Less => normal.map(|c| W::widen(-c)),
+    let term = |k: usize| W::minor(normal[k], W::raise(way[k]), zero, zero);
+    let [x, y, z] = normal;
+    match term(0).plus(term(1)).plus(term(2)).cmp(&W::Area::default()) {
+        Ordering::Less => [W::widen(-x), W::widen(-y), W::widen(-z)],
         Ordering::Equal => [W::Area::default(); 3],
-        Ordering::Greater => normal.map(W::widen),
+        Ordering::Greater => [W::widen(x), W::widen(y), W::widen(z)],
     }
 }

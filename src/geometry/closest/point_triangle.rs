@@ -40,7 +40,7 @@ fn closest<W: Width>(point: Vec3, corners: &[Vec3; 3]) -> ClosestPoint<3> {
         Part::Corner(corner) => ClosestPoint::at_corner(corners, corner),
         Part::Edge(edge, on_edge) => {
             let ends = ends_of(edge);
-            let (position, on_edge) = blend(ends.map(|end| corners[end]), on_edge);
+            let (position, on_edge) = blend([corners[ends[0]], corners[ends[1]]], on_edge);
             let mut weights = [Unit::ZERO; 3];
             (weights[ends[0]], weights[ends[1]]) = (on_edge[0], on_edge[1]);
             ClosestPoint { position, feature, weights }
@@ -77,10 +77,13 @@ impl<A: Area> Part<A> {
     }
 
     pub(super) fn nearest<W: Width<Area = A>>(point: Vec3, corners: &[Vec3; 3]) -> Self {
-        let edges = [0, 1, 2].map(|i| W::difference(corners[(i + 1) % 3], corners[i]));
+        let edge = |i: usize| W::difference(corners[(i + 1) % 3], corners[i]);
+        let edges = [edge(0), edge(1), edge(2)];
         // How far along each edge the point is, of how much: both times the length of the edge.
-        let reach = [0, 1, 2].map(|i| W::dot(edges[i], W::difference(point, corners[i])));
-        let whole = edges.map(|edge| W::dot(edge, edge));
+        let reach = |i: usize| W::dot(edges[i], W::difference(point, corners[i]));
+        let reach = [reach(0), reach(1), reach(2)];
+        let whole = |i: usize| W::dot(edges[i], edges[i]);
+        let whole = [whole(0), whole(1), whole(2)];
         let zero = W::Dot::default();
         for (corner, before) in [(0, 2), (1, 0), (2, 1_usize)] {
             if reach[usize::from(corner)] <= zero && reach[before] >= whole[before] {
@@ -92,7 +95,7 @@ impl<A: Area> Part<A> {
             let i = usize::from(edge);
             let between = zero <= reach[i] && reach[i] <= whole[i] && zero < whole[i];
             if between && opposite[i] <= A::default() {
-                let [n, d] = [reach[i], whole[i]].map(W::widen);
+                let (n, d) = (W::widen(reach[i]), W::widen(whole[i]));
                 return Self::Edge(edge, [d.minus(n), n]);
             }
         }
@@ -113,10 +116,11 @@ fn shares<W: Width>(
     reach: [W::Dot; 3],
     whole: [W::Dot; 3],
 ) -> [W::Area; 3] {
-    [0, 1, 2].map(|i| {
+    let share = |i: usize| {
         let next = (i + 1) % 3;
         let turn = W::dot(edges[next], edges[i]);
         // q is e and then the way from the start of f.
         W::minor(whole[i], reach[next] + turn, reach[i], turn)
-    })
+    };
+    [share(0), share(1), share(2)]
 }

@@ -4,7 +4,7 @@ use core::ops::{Add, Neg, Sub};
 
 use crate::geometry::Aabb;
 use crate::math::int256::Int256;
-use crate::math::wide::NARROW_MAX;
+use crate::math::wide::{NARROW_MAX, sub};
 use crate::math::{UnitVec3, Vec3};
 
 /// What a formula of differences, dot products and products of two of those is made of.
@@ -79,8 +79,7 @@ impl Width for Narrow {
 
     #[inline]
     fn difference(p: Vec3, o: Vec3) -> [i64; 3] {
-        let (p, o) = (p.raw(), o.raw());
-        [p[0] - o[0], p[1] - o[1], p[2] - o[2]]
+        sub(p.raw(), o.raw())
     }
 
     #[inline]
