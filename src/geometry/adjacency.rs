@@ -54,7 +54,7 @@ impl<'a> Adjacency<'a> {
             edges.push(sides[0].0);
             faces.push(sides.iter().map(|&(_, face)| face));
         }
-        let neighbours = neighbours(&edges, mesh.vertices().len());
+        let neighbours = Lists::neighbours(edges.iter().copied(), mesh.vertices().len());
         Self { mesh, edges, faces, neighbours }
     }
 
@@ -130,29 +130,4 @@ impl<'a> Adjacency<'a> {
         let corners = self.mesh.faces()[face as usize];
         corners.into_iter().find(|corner| !ends.contains(corner))
     }
-}
-
-/// The other ends of every vertex's edges.
-///
-/// In the order of sorted edges a vertex meets its lower neighbours first, then the higher ones,
-/// each in order: no list needs sorting. At most 6 * 2^23 items, two for each side of a face.
-fn neighbours(edges: &[[u32; 2]], vertices: usize) -> Lists {
-    let mut starts = vec![0_u32; vertices + 1];
-    for &[a, b] in edges {
-        starts[a as usize + 1] += 1;
-        starts[b as usize + 1] += 1;
-    }
-    for k in 1..starts.len() {
-        starts[k] += starts[k - 1];
-    }
-    let mut next = starts.clone();
-    let mut items = vec![0; 2 * edges.len()];
-    for &[a, b] in edges {
-        for (vertex, neighbour) in [(a, b), (b, a)] {
-            let place = &mut next[vertex as usize];
-            items[*place as usize] = neighbour;
-            *place += 1;
-        }
-    }
-    Lists::between(starts, items)
 }

@@ -24,6 +24,35 @@ impl Lists {
         Self { starts, items }
     }
 
+    /// For every vertex the other ends of its edges, sorted. Of each edge the ends are given, the
+    /// lower one first, and edges sorted.
+    ///
+    /// In their order a vertex meets its lower neighbours first, then the higher ones, each in
+    /// order: no list needs sorting. There are at most 6 * 2^23 items, two for each side of a face.
+    pub(crate) fn neighbours(
+        edges: impl Iterator<Item = [u32; 2]> + Clone,
+        vertices: usize,
+    ) -> Self {
+        let mut starts = vec![0_u32; vertices + 1];
+        for [a, b] in edges.clone() {
+            starts[a as usize + 1] += 1;
+            starts[b as usize + 1] += 1;
+        }
+        for k in 1..starts.len() {
+            starts[k] += starts[k - 1];
+        }
+        let mut next = starts.clone();
+        let mut items = vec![0; starts[vertices] as usize];
+        for [a, b] in edges {
+            for (vertex, neighbour) in [(a, b), (b, a)] {
+                let place = &mut next[vertex as usize];
+                items[*place as usize] = neighbour;
+                *place += 1;
+            }
+        }
+        Self { starts, items }
+    }
+
     /// Adds a list behind the others.
     #[expect(clippy::cast_possible_truncation, reason = "fewer than 2^32 items")]
     pub(crate) fn push(&mut self, list: impl IntoIterator<Item = u32>) {

@@ -2,6 +2,7 @@
 
 mod around;
 mod fit;
+mod golden;
 mod measure;
 mod moved;
 mod oracle;

@@ -30,13 +30,17 @@ impl Frame {
         let origin = [0, 1, 2].map(|k| low[k] + (high[k] - low[k]) / 2);
         // A span has from 1 to 41 bits.
         let shift = 64 - bounds.span().leading_zeros().cast_signed() - BITS;
-        let along = |c: i64| match shift {
-            ..=0 => c << -shift,
-            1.. => round_shift(c, shift.unsigned_abs()),
-        };
-        let vertices = hull.vertices().iter();
-        let points = vertices.map(|v| sub(v.raw(), origin).map(along)).collect();
-        Self { origin, shift, points }
+        let mut frame = Self { origin, shift, points: Vec::new() };
+        frame.points = hull.vertices().iter().map(|&vertex| frame.units(vertex)).collect();
+        frame
+    }
+
+    /// A point of the hull.
+    pub(super) fn units(&self, point: Vec3) -> [i64; 3] {
+        sub(point.raw(), self.origin).map(|c| match self.shift {
+            ..=0 => c << -self.shift,
+            1.. => round_shift(c, self.shift.unsigned_abs()),
+        })
     }
 
     /// The place in the world of a point in fine units, at most 2^32 from the middle.

@@ -6,24 +6,20 @@ use alloc::vec::Vec;
 use super::Fit;
 use super::cuboid::fit_cuboid;
 use super::frame::Frame;
-use super::outward::outward;
+use super::outward::{Plane, outward};
+use super::tighten::tightened;
 use crate::geometry::{ConvexHull, Cuboid, HullEdge, ShapeError};
 use crate::math::{Real, Vec3};
 
-/// Hulls of more vertices lose them by a faster measure first: how far out of its own faces a point
-/// is, not of those of the hull that is fitted.
-const LARGE: usize = 512;
-
-/// One vertex of so many that are too many goes in a round: with more the last ones to go are not
-/// the best, with fewer there are more rounds.
-const ROUND_SHARE: usize = 12;
+/// Hulls of more vertices lose them by a faster measure first.
+const LARGE: usize = 256;
 
 /// A hull around a hull, with at most `vertices_max` vertices: 4 or more.
 ///
 /// Edge after edge gives way to a point outside, each time where that is least far out (Sander et
-/// al., *Silhouette Clipping*, 2000: "progressive hulls"). Where no edge can, as with boxes, the
-/// [box](super::fit_cuboid) is taken, or of less than 8 vertices a tetrahedron around it, which is
-/// far too large.
+/// al., *Silhouette Clipping*, 2000: "progressive hulls"); then the vertices that are left are drawn
+/// in. Where no edge can give way, as with boxes, or if it is better, the [box](super::fit_cuboid)
+/// is taken, or of less than 8 vertices a tetrahedron around it, which is far too large.
 ///
 /// A hull of few enough vertices is its own fit. O(v^2) for v vertices at worst, usually far less.
 ///
@@ -34,20 +30,54 @@ pub fn fit_hull(hull: &ConvexHull, vertices_max: u32) -> Result<Fit<ConvexHull>,
         return Err(ShapeError::WrongCount("vertices"));
     }
     let vertices_max = vertices_max as usize;
-    let mut shape = hull.clone();
-    if shape.vertices().len() > vertices_max {
-        // Where the hull was rounded when it moved, the planes of its faces are not exact.
-        shape = ConvexHull::around(hull.vertices().iter().copied())?;
+    if hull.vertices().len() <= vertices_max {
+        return Ok(Fit { shape: hull.clone(), deviation: Real::ZERO });
     }
-    while shape.vertices().len() > vertices_max {
-        shape = match with_fewer(&shape, hull, vertices_max) {
-            Some(fewer) => fewer,
-            None => around_box(hull, vertices_max)?,
-        };
-    }
+    let around_box = around_box(hull, vertices_max).map(|shape| measured(shape, hull));
+    // Where the hull was rounded when it moved, the planes of its faces are not exact.
+    let exact = ConvexHull::around(hull.vertices().iter().copied())?;
+    let Some(shape) = collapsed(&exact, vertices_max) else { return around_box };
+    let drawn_in = measured(tightened(shape, &exact), hull);
+    Ok(match around_box {
+        Ok(around_box) if around_box.deviation < drawn_in.deviation => around_box,
+        _ => drawn_in,
+    })
+}
+
+fn measured(shape: ConvexHull, hull: &ConvexHull) -> Fit<ConvexHull> {
     let separations = shape.vertices().iter().map(|&vertex| hull.separation(vertex));
     let deviation = separations.fold(Real::ZERO, Real::max);
-    Ok(Fit { shape, deviation })
+    Fit { shape, deviation }
+}
+
+/// The hull with edges replaced until no more vertices are left; `None` if that does not go on.
+fn collapsed(hull: &ConvexHull, vertices_max: usize) -> Option<ConvexHull> {
+    // At first how far out of its own faces a point is; of what is too much a third goes in a round.
+    let coarse = with_few(hull, vertices_max.max(LARGE), 3, |shape, faces, to| {
+        let heights = faces.iter().map(|&face| shape.height(face as usize, to));
+        Real::from_raw(heights.max().unwrap_or(0))
+    })?;
+    // Then how far out of all that was there. With more in a round the last ones to go would not be
+    // the best, with fewer there would be more rounds.
+    with_few(&coarse, vertices_max, 12, |_, _, to| coarse.separation(to))
+}
+
+/// The hull with edges replaced, those first of which a round, one of `share` of the vertices that
+/// are too many, costs least: `cost(hull, faces, point)` says what it does to put a point before
+/// some faces. `None` if it does not go on.
+fn with_few(
+    hull: &ConvexHull,
+    vertices_max: usize,
+    share: usize,
+    cost: impl Fn(&ConvexHull, &[u32], Vec3) -> Real,
+) -> Option<ConvexHull> {
+    let mut shape = hull.clone();
+    while let excess @ 1.. = shape.vertices().len().saturating_sub(vertices_max) {
+        let mut collapses = collapses(&shape, &cost);
+        collapses.sort_unstable_by_key(|collapse| (collapse.cost, collapse.ends));
+        shape = with_fewer(&shape, &collapses, excess.div_ceil(share))?;
+    }
+    Some(shape)
 }
 
 /// A point in the place of an edge.
@@ -58,38 +88,30 @@ struct Collapse {
     to: Vec3,
 }
 
-/// The hull with some edges replaced by points outside, at least one; `None` if none can be.
+/// The hull with the first of these edges replaced by points outside that are not next to one
+/// another; `None` if there are none.
 ///
 /// With a point in front of all faces at the ends of an edge, or in their planes, the ends are
 /// inside: from the point through an end on, the way enters the hull. This holds of all edges that
 /// are replaced at once.
-fn with_fewer(shape: &ConvexHull, hull: &ConvexHull, vertices_max: usize) -> Option<ConvexHull> {
-    let mut collapses = collapses(shape, hull);
-    collapses.sort_unstable_by_key(|collapse| (collapse.cost, collapse.ends));
-    // Many at once, so that there are few rounds; fewer, the closer the end.
-    let excess = shape.vertices().len() - vertices_max;
-    let mut left = excess.div_ceil(ROUND_SHARE);
+fn with_fewer(shape: &ConvexHull, collapses: &[Collapse], most: usize) -> Option<ConvexHull> {
     let mut is_near = vec![false; shape.vertices().len()];
     let mut is_gone = is_near.clone();
     let mut points = Vec::new();
-    for Collapse { ends, to, .. } in collapses {
-        if left == 0 {
+    for &Collapse { ends, to, .. } in collapses {
+        if points.len() == most {
             break;
         }
-        let ends = ends.map(|end| end as usize);
-        if ends.into_iter().any(|end| is_near[end]) {
+        if ends.into_iter().any(|end| is_near[end as usize]) {
             continue;
         }
-        for edge in shape.edges().iter().map(|edge| edge.ends.map(|end| end as usize)) {
-            if edge.into_iter().any(|end| ends.contains(&end)) {
-                is_near[edge[0]] = true;
-                is_near[edge[1]] = true;
+        for end in ends {
+            is_gone[end as usize] = true;
+            for &near in shape.topology().neighbours(end) {
+                is_near[near as usize] = true;
             }
         }
-        is_gone[ends[0]] = true;
-        is_gone[ends[1]] = true;
         points.push(to);
-        left -= 1;
     }
     if points.is_empty() {
         return None;
@@ -99,23 +121,21 @@ fn with_fewer(shape: &ConvexHull, hull: &ConvexHull, vertices_max: usize) -> Opt
     ConvexHull::around(points).ok()
 }
 
-/// For every edge that can be replaced: by what.
-fn collapses(shape: &ConvexHull, hull: &ConvexHull) -> Vec<Collapse> {
+/// For every edge that can be replaced: by what, and at what cost.
+fn collapses(
+    shape: &ConvexHull,
+    cost: &impl Fn(&ConvexHull, &[u32], Vec3) -> Real,
+) -> Vec<Collapse> {
     let frame = Frame::of(shape);
     let faces = faces_at_vertices(shape);
-    let is_large = shape.vertices().len() > LARGE;
     let collapse = |edge: &HullEdge| {
-        let mut around: Vec<u32> =
-            edge.ends.iter().flat_map(|&end| &faces[end as usize]).copied().collect();
+        let at_ends = edge.ends.map(|end| faces[end as usize].as_slice());
+        let mut around = at_ends.concat();
         around.sort_unstable();
         around.dedup();
-        let to = outward(shape, &frame, &around)?;
-        let cost = if is_large {
-            around.iter().map(|&face| shape.height(face as usize, to)).max().map(Real::from_raw)?
-        } else {
-            hull.separation(to)
-        };
-        Some(Collapse { cost, ends: edge.ends, to })
+        let planes = around.iter().map(|&face| Plane::of_face(shape, &frame, face));
+        let to = outward(&planes.collect::<Option<Vec<_>>>()?, &frame, shape.bounds())?;
+        Some(Collapse { cost: cost(shape, &around, to), ends: edge.ends, to })
     };
     shape.edges().iter().filter_map(collapse).collect()
 }

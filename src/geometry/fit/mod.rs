@@ -25,6 +25,7 @@ mod hull;
 mod outward;
 mod rectangle;
 mod sphere;
+mod tighten;
 
 pub use capsule::fit_capsule;
 pub use cuboid::fit_cuboid;

@@ -1,41 +1,41 @@
 //! Points that are outside of some faces of a hull.
 
-use alloc::vec::Vec;
-
 use super::frame::{FINE_BITS, Frame, meet};
 use crate::geometry::triangle::is_in_range;
-use crate::geometry::{ConvexHull, Triangle, orient3d};
+use crate::geometry::{Aabb, ConvexHull, Triangle, orient3d};
 use crate::math::determinant::{cross, dot};
-use crate::math::wide::{round_shift, sub, to_i64};
+use crate::math::root::isqrt_wide;
+use crate::math::wide::{dot_narrow, round_shift, sub, to_i64};
 use crate::math::{Unit, UnitVec3, Vec3};
 
-/// Points are not looked for in front of more faces: edges of so many are kept.
-const FACES_MAX: usize = 16;
+/// Points are not looked for in front of more planes: edges with so many are kept.
+const PLANES_MAX: usize = 16;
 
 /// A point is pushed out no more than this often, each time twice as far.
 const PUSHES_MAX: u32 = 8;
 
-/// The plane of a face, in units.
-struct Plane {
+/// A plane that a point must not be behind.
+pub(super) struct Plane {
+    /// Three points of it, counter-clockwise, seen from the front.
+    points: [Vec3; 3],
     normal: [i64; 3],
-    /// `normal . x` of its points: below 2^52.
+    /// `normal . x` of its points in units: below 2^53.
     offset: i64,
-    /// Of the face, doubled: below 2^46.
+    /// How much it counts: below 2^46.
     area: i64,
 }
 
-/// The point in front of, or in the plane of, each of some faces that adds the least volume, or
-/// nearly so; `None` if there is none.
+/// The point in front of, or in, each of some planes that is least far in front of them, each
+/// counting by its area, or nearly so; `None` if there is none, or where a hull with these bounds
+/// cannot reach.
 ///
-/// The volume is linear in the point, so that a corner of the region in front is the best: where
-/// three planes meet. What rounding does to it is undone by a push, and what counts is tested
-/// exactly. O(k^4) for k faces.
-pub(super) fn outward(hull: &ConvexHull, frame: &Frame, faces: &[u32]) -> Option<Vec3> {
-    if faces.len() > FACES_MAX {
+/// Of the faces around it, it is that to which the hull grows by the least volume. What rounding
+/// does to it is undone by a push, and what counts is tested exactly. O(k^4) for k planes.
+pub(super) fn outward(planes: &[Plane], frame: &Frame, bounds: Aabb) -> Option<Vec3> {
+    if planes.len() > PLANES_MAX {
         return None;
     }
-    let planes: Vec<Plane> = faces.iter().map(|&face| Plane::of(hull, frame, face)).collect();
-    let place = frame.place(best_meeting(&planes)?);
+    let place = frame.place(best_meeting(planes)?);
     let all = |k: usize| planes.iter().map(|plane| plane.normal[k]).sum();
     let way = UnitVec3::normalize(Vec3::from_raw([0, 1, 2].map(all)))?;
     let pushed = |push: u32| {
@@ -43,24 +43,34 @@ pub(super) fn outward(hull: &ConvexHull, frame: &Frame, faces: &[u32]) -> Option
         let step = frame.unit() * (1 << push >> 1);
         place + Vec3::from_raw(way.raw().map(|c| round_shift(c * step, Unit::FRACTION_BITS)))
     };
-    let mut pushes = (0..PUSHES_MAX).map(pushed).filter(|&point| is_near(hull, point));
-    pushes.find(|&point| faces.iter().all(|&face| is_in_front(hull, face, point)))
+    let is_near = |&point: &Vec3| {
+        is_in_range(point) && bounds.with(point).span() <= Triangle::SPAN_MAX.unsigned_abs()
+    };
+    let mut pushes = (0..PUSHES_MAX).map(pushed).filter(is_near);
+    pushes.find(|&point| {
+        let mut points = planes.iter().map(|plane| plane.points);
+        points.all(|[a, b, c]| orient3d(a, b, c, point).is_ge())
+    })
 }
 
 impl Plane {
-    fn of(hull: &ConvexHull, frame: &Frame, face: u32) -> Self {
-        let normal = hull.normals()[face as usize].raw();
-        let corners = hull.face_corners(face).iter().map(|&corner| frame.points[corner as usize]);
-        let reach = |p: [i64; 3]| (0..3).map(|k| normal[k] * p[k]).sum::<i64>();
-        let offset = corners.clone().map(reach).max().unwrap_or(0);
-        let first = hull.face_corners(face)[0];
-        let from = |p: [i64; 3]| sub(p, frame.points[first as usize]);
-        // Components of sums are below 2^45, times at most 1.
-        let sides: Vec<[i64; 3]> = corners.map(from).collect();
-        let fan = sides.windows(2).map(|side| cross(side[0], side[1]));
-        let area: i128 =
-            fan.map(|c| (0..3).map(|k| c[k] * i128::from(normal[k])).sum::<i128>()).sum();
-        Self { normal, offset, area: to_i64(area >> Unit::FRACTION_BITS) }
+    /// The plane of a face.
+    pub(super) fn of_face(hull: &ConvexHull, frame: &Frame, face: u32) -> Option<Self> {
+        let vertices = hull.vertices();
+        let (&first, rest) = hull.face_corners(face).split_first()?;
+        let sides = rest.windows(2).map(|side| [first, side[0], side[1]]);
+        let area = sides.map(|corners| area(frame, corners.map(|k| vertices[k as usize]))).sum();
+        let widest = hull.topology().widest_corners()[face as usize];
+        Self::through(frame, widest.map(|vertex| vertices[vertex as usize]), area)
+    }
+
+    /// The plane through three points; `None` if they are on one line.
+    pub(super) fn through(frame: &Frame, points: [Vec3; 3], area: i64) -> Option<Self> {
+        let [a, b, c] = points.map(Vec3::raw);
+        let normal = UnitVec3::normalize_wide(cross(sub(b, a), sub(c, a)))?.raw();
+        let reach = |p: Vec3| dot_narrow(normal, frame.units(p));
+        let offset = points.into_iter().map(reach).max()?;
+        Some(Self { points, normal, offset, area })
     }
 
     /// Whether a point in fine units is in front of it, or so near that rounding can tell.
@@ -117,14 +127,9 @@ fn is_between([a, b, c]: [[i64; 3]; 3], way: [i64; 3]) -> bool {
     }
 }
 
-/// Whether a hull may reach to a point.
-fn is_near(hull: &ConvexHull, point: Vec3) -> bool {
-    is_in_range(point) && hull.bounds().with(point).span() <= Triangle::SPAN_MAX.unsigned_abs()
-}
-
-/// Whether a point is in front of a face, or in its plane. Exact.
-fn is_in_front(hull: &ConvexHull, face: u32, point: Vec3) -> bool {
-    let corners = hull.topology().widest_corners()[face as usize];
-    let [a, b, c] = corners.map(|vertex| hull.vertices()[vertex as usize]);
-    orient3d(a, b, c, point).is_ge()
+/// Twice the area of a triangle, in square units: below 2^43.
+pub(super) fn area(frame: &Frame, corners: [Vec3; 3]) -> i64 {
+    let [a, b, c] = corners.map(|corner| frame.units(corner));
+    let square = cross(sub(b, a), sub(c, a)).map(|c| c * c).into_iter().sum::<i128>();
+    to_i64(isqrt_wide(square.unsigned_abs()).cast_signed())
 }

@@ -155,7 +155,8 @@ impl<'a> Quickhull<'a> {
             next += 1;
             for neighbour in self.faces[face as usize].neighbours {
                 let face = &mut self.faces[neighbour as usize];
-                if !face.is_removed && face.height(self.points, eye) > 0 {
+                let unseen = i128::from(cfg!(planted));
+                if !face.is_removed && face.height(self.points, eye) > unseen {
                     face.is_removed = true;
                     seen.push(neighbour);
                 }

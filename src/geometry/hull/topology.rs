@@ -20,6 +20,7 @@ pub struct HullTopology {
     faces: Lists,
     widest: Vec<[u32; 3]>,
     edges: Vec<HullEdge>,
+    neighbours: Lists,
     simplex: [u32; 4],
     hash: Hash,
 }
@@ -46,8 +47,9 @@ impl HullTopology {
             faces.push(polygon.iter().copied());
         }
         let edges = edges(&faces);
+        let neighbours = Lists::neighbours(edges.iter().map(|edge| edge.ends), corners.len());
         let hash = content_hash(vertices, &faces, &widest, simplex);
-        Some(Self { vertices, faces, widest, edges, simplex, hash })
+        Some(Self { vertices, faces, widest, edges, neighbours, simplex, hash })
     }
 
     /// How many vertices there are: at least 4.
@@ -84,6 +86,14 @@ impl HullTopology {
     #[must_use]
     pub fn edges(&self) -> &[HullEdge] {
         &self.edges
+    }
+
+    /// The other ends of the edges of a vertex, at least 3, sorted; none if there is no such vertex.
+    /// O(1).
+    #[inline]
+    #[must_use]
+    pub fn neighbours(&self, vertex: u32) -> &[u32] {
+        self.neighbours.get(vertex as usize)
     }
 
     /// Four vertices far apart, the last behind the plane of the others: they tell whether a moved
