@@ -107,3 +107,8 @@ fn times_of_impact_keep_their_laws() {
 fn broad_phases_keep_their_laws() {
     keeps("broad_phase", laws::broad_phase, [15, 10]);
 }
+
+#[test]
+fn hulls_keep_their_laws() {
+    keeps("hull", laws::hull, [12, 10]);
+}

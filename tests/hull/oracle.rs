@@ -1,4 +1,4 @@
-//! The hull of points by looking at every plane through three of them.
+//! The hull of points by looking at every plane, in integers of any size.
 
 use std::collections::BTreeSet;
 
@@ -6,7 +6,8 @@ use num_bigint::BigInt;
 use verlock::geometry::ConvexHull;
 
 use super::Point;
-use crate::corpus::laws::oracle::{Exact, cross, dot};
+use crate::corpus::laws::oracle::Exact;
+use crate::corpus::laws::planes::{self, Plane};
 
 pub type Big = [BigInt; 3];
 
@@ -18,61 +19,22 @@ pub fn minus(a: &Big, b: &Big) -> Big {
     [0, 1, 2].map(|k| a[k].minus(&b[k]))
 }
 
-/// The sets of points in the planes that have points before them nowhere and behind them somewhere.
-fn facets(points: &[Point]) -> BTreeSet<BTreeSet<Point>> {
-    let places: Vec<Point> = points.iter().copied().collect::<BTreeSet<_>>().into_iter().collect();
-    let zero = BigInt::from(0);
-    let mut facets = BTreeSet::new();
-    for (i, &a) in places.iter().enumerate() {
-        for (j, &b) in places.iter().enumerate().skip(i + 1) {
-            for &c in &places[j + 1..] {
-                let a = big(a);
-                let normal = cross(&minus(&big(b), &a), &minus(&big(c), &a));
-                let heights: Vec<BigInt> =
-                    places.iter().map(|&p| dot(&normal, &minus(&big(p), &a))).collect();
-                let [front, behind] = [heights.iter().max(), heights.iter().min()];
-                if (front == Some(&zero)) != (behind == Some(&zero)) {
-                    let level = places.iter().zip(&heights).filter(|(_, h)| **h == zero);
-                    facets.insert(level.map(|(&p, _)| p).collect());
-                }
-            }
-        }
-    }
-    facets
-}
-
-/// The normal and the offset along it of every face of the hull around some points.
-pub fn planes(points: &[Point]) -> Vec<(Big, BigInt)> {
-    let places: Vec<Point> = points.iter().copied().collect::<BTreeSet<_>>().into_iter().collect();
-    let mut planes = vec![];
-    for facet in facets(points) {
-        let mut facet = facet.into_iter().map(big);
-        let (a, b) = (facet.next().expect("three"), facet.next().expect("three"));
-        let normals = facet.map(|c| cross(&minus(&b, &a), &minus(&c, &a)));
-        let zero = BigInt::from(0);
-        let normal = normals.into_iter().find(|n| *n != [0, 0, 0].map(BigInt::from));
-        let normal = normal.expect("not all on one line");
-        let is_front = places.iter().any(|&p| dot(&normal, &minus(&big(p), &a)) > zero);
-        let normal = if is_front { normal.map(|c| -c) } else { normal };
-        let offset = dot(&normal, &a);
-        planes.push((normal, offset));
-    }
-    planes
+/// The points in order, each once, and the planes of the faces of their hull.
+pub fn planes(points: &[Point]) -> (Vec<Point>, Vec<Plane<BigInt>>) {
+    let points: Vec<Point> = BTreeSet::from_iter(points.iter().copied()).into_iter().collect();
+    let planes = planes::planes(&points.iter().map(|&p| big(p)).collect::<Vec<_>>());
+    (points, planes)
 }
 
 /// The corners and the corners of each face of the hull around some points; none if it is flat.
-///
-/// A point is a corner if no other is in all the faces that it is in.
 pub fn hull(points: &[Point]) -> (BTreeSet<Point>, BTreeSet<BTreeSet<Point>>) {
-    let facets = facets(points);
-    let is_corner = |p: &Point| {
-        let mut of_p = facets.iter().filter(|facet| facet.contains(p));
-        let Some(first) = of_p.next() else { return false };
-        let common = of_p.fold(first.clone(), |common, facet| &common & facet);
-        common.len() == 1
+    let (points, planes) = planes(points);
+    let corners = (0..points.len()).filter(|&k| planes::is_corner(&planes, k));
+    let corners: BTreeSet<Point> = corners.map(|k| points[k]).collect();
+    let face = |plane: &Plane<BigInt>| -> BTreeSet<Point> {
+        plane.points.iter().map(|&k| points[k]).filter(|p| corners.contains(p)).collect()
     };
-    let corners: BTreeSet<Point> = points.iter().copied().filter(is_corner).collect();
-    let faces = facets.iter().map(|facet| facet & &corners).collect();
+    let faces = planes.iter().map(face).collect();
     (corners, faces)
 }
 

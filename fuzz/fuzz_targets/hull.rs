@@ -1,0 +1,9 @@
+//! Points, their hull, and what fits around it.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use verlock_fuzz::laws;
+
+fuzz_target!(|data: &[u8]| {
+    laws::hull(data);
+});
