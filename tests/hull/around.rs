@@ -78,6 +78,12 @@ fn validate(hull: &ConvexHull, points: &[Point]) {
         assert!(sides.remove(&(low, high, one)) && sides.remove(&(high, low, other)));
     }
     assert_eq!(sides.len(), 0, "sides without an edge");
+    for vertex in 0..hull.topology().vertices_len() {
+        let ends = hull.edges().iter().map(|edge| edge.ends).filter(|ends| ends.contains(&vertex));
+        let other = ends.map(|[low, high]| if low == vertex { high } else { low });
+        let other = BTreeSet::from_iter(other);
+        assert!(hull.topology().neighbours(vertex).iter().eq(&other), "{other:?}");
+    }
     assert_eq!(vertices.len() + faces.len(), hull.edges().len() + 2, "Euler");
 }
 

@@ -7,7 +7,7 @@ use verlock::math::{Pcg, Unit};
 use verlock::{Real, Vec3, real};
 
 use super::measure::{self, Place, direction, length, metres, place, product, sub};
-use super::{Cloud, Point, hull, vectors};
+use super::{Cloud, Point, hull};
 
 /// Metres to raw places.
 fn raw(p: Place) -> Point {
