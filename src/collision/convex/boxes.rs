@@ -3,7 +3,7 @@
 use super::pair::Pair;
 use super::separate::length_max;
 use super::solid::box_edge;
-use crate::collision::patch::{Corner, Outline, TIE, patch};
+use crate::collision::patch::{Corner, Outline, patch, to_beat};
 use crate::collision::width::{Narrow, Wide, Width};
 use crate::collision::{FeatureId, Manifold};
 use crate::geometry::{ClosestConvex, Cuboid, closest_convex};
@@ -43,13 +43,13 @@ fn manifold<W: Width>(a: &Cuboid, b: &Cuboid, pair: &Pair) -> Option<Manifold> {
     let of_a = a.best_face::<W>(&b, way, pair.margin)?;
     let of_b = b.best_face::<W>(&a, way, pair.margin)?;
     let best = of_a.separation.max(of_b.separation);
-    match best_edges::<W>([&a, &b], way, best + TIE, pair.margin) {
+    match best_edges::<W>([&a, &b], way, to_beat(best), pair.margin) {
         Edges::Apart => None,
         Edges::Best(normal, [i, j]) => {
             let outlines = [a.facing::<W>(normal, i), b.facing::<W>(-normal, j)];
             patch::<W>(&pair.seam(normal), outlines.each_ref(), || closest(&a, &b))
         }
-        Edges::Worse if of_b.separation > of_a.separation + TIE => {
+        Edges::Worse if of_b.separation > to_beat(of_a.separation) => {
             let outlines = [b.face(of_b.axis, of_b.is_against), a.facing::<W>(of_b.normal, 3)];
             let seam = pair.seam(-of_b.normal);
             Some(patch::<W>(&seam, outlines.each_ref(), || closest(&b, &a))?.flipped())

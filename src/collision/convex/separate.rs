@@ -5,7 +5,7 @@
 //! Test Between Convex Polyhedra*, 2013). Few pairs do, and signs of dot products tell which.
 
 use super::solid::{Edge, Solid};
-use crate::collision::patch::TIE;
+use crate::collision::patch::to_beat;
 use crate::collision::width::Width;
 use crate::math::UnitVec3;
 use crate::math::wide::{dot_wide, sub};
@@ -55,12 +55,12 @@ pub(super) fn separate<W: Width>(a: &Solid, b: &Solid, margin: i64) -> Verdict {
         return Verdict::Apart;
     }
     let of_faces = match (of_a, of_b) {
-        (Some(a), Some(b)) if b.separation > a.separation + TIE => of_b,
+        (Some(a), Some(b)) if b.separation > to_beat(a.separation) => of_b,
         (None, _) => of_b,
         _ => of_a,
     };
     let best = of_a.iter().chain(&of_b).map(|axis| axis.separation).max();
-    match best_edges::<W>(a, b, best.map_or(i64::MIN, |best| best + TIE)) {
+    match best_edges::<W>(a, b, best.map_or(i64::MIN, to_beat)) {
         Some(axis) if axis.separation > margin => Verdict::Apart,
         Some(axis) => Verdict::Best(Some(axis)),
         None => Verdict::Best(of_faces),

@@ -27,6 +27,15 @@ use crate::math::{Real, UnitVec3, Vec3};
 /// of a stack at rest does not turn one manifold into another.
 pub(super) const TIE: i64 = 1 << 9;
 
+/// What another axis must separate by more than, to be taken before one that separates by so much.
+/// An axis that parts two shapes is always taken before one that does not.
+#[inline]
+pub(super) const fn to_beat(separation: i64) -> i64 {
+    // Separations are far below 2^62.
+    let least = separation + TIE;
+    if separation <= 0 && least > 0 { 0 } else { least }
+}
+
 /// Contacts that come one by one.
 pub(super) type Contacts = Few<Contact, 8>;
 
