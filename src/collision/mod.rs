@@ -19,6 +19,15 @@
 //!
 //! Spheres and capsules are hulls of one and of two points, with a radius. Meshes and height fields
 //! are surfaces: what is behind a face does not overlap. A set of shapes is a [`Colliders`].
+//!
+//! Where two shapes touch, [`collide`] tells, in up to four points a patch:
+//!
+//! | | half-space | sphere, capsule | box, hull, triangle | mesh, height field |
+//! |---|---|---|---|---|
+//! | half-space | | corners | corners | vertices |
+//! | sphere, capsule | corners | nearest points | nearest points; least overlap | nearest parts |
+//! | box, hull, triangle | corners | nearest points; least overlap | least overlap | nearest parts |
+//! | mesh, height field | vertices | nearest parts | nearest parts | nearest parts |
 
 #![allow(
     clippy::cast_possible_truncation,
@@ -26,6 +35,7 @@
 )]
 
 mod cast;
+mod collide;
 mod colliders;
 mod continuous;
 mod convex;
@@ -39,6 +49,7 @@ mod surface;
 mod width;
 
 pub use cast::{Cast, Touch, cast, cast_segment};
+pub use collide::collide;
 pub use colliders::{Collider, ColliderError, ColliderId, Colliders, Filter, Layers};
 pub use continuous::{MeshMotion, TimeOfImpact};
 pub use convex::{manifold_convex_convex, manifold_cuboid_cuboid};

@@ -1,5 +1,6 @@
 mod boxes;
 mod draw;
+mod golden;
 mod laws;
 mod pairs;
 mod twin;
@@ -32,7 +33,8 @@ pub fn check(found: Option<&Manifold>, [a, b]: [&Twin; 2], origin: Vec3, margin:
         assert!(gap_along(n, a, b) > -TOLERANCE, "{n:?} parts not what is apart by {gap}");
         assert!(separation < gap.max(margin) + TOLERANCE, "{separation}, but a gap of {gap}");
     } else {
-        assert!((separation - gap).abs() < TOLERANCE, "{separation}, but a gap of {gap}");
+        let off = (separation - gap).abs();
+        assert!(off < TOLERANCE, "{separation}, but a gap of {gap}: {found:?} {a:?} {b:?}");
     }
     if separation < 0.0 {
         let left = twin::gap(a, &b.moved(n, -separation));
