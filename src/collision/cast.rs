@@ -146,7 +146,7 @@ fn onto_skin(a: &Core, motion: Vec3, b: Skin, until: Unit) -> Option<Cast> {
             let next = of_convex(a, motion, &b.triangle(face).into(), until);
             best = earlier(best, next.map(|next| Cast { part_b: face, ..next }));
         }
-        if best.is_some_and(|best| best.time <= end) {
+        if best.map_or(until, |best| best.time) <= end {
             break;
         }
     }

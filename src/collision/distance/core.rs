@@ -55,7 +55,6 @@ impl Core<'_> {
         let length = normal.iter().map(|c| c.unsigned_abs()).sum::<u128>();
         let reach = length * u128::from(other.radius.raw().unsigned_abs());
         let mut is_free = [true; 2]; // behind and in front
-
         for &point in other.points() {
             for way in [point - a, point + motion - a] {
                 if !is_near(way) {

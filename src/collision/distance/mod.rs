@@ -7,7 +7,7 @@ pub(super) use self::core::{Core, View, along, height};
 pub(super) use self::skin::{Skin, grown};
 
 use super::Shape;
-use crate::geometry::{HalfSpace, closest_convex};
+use crate::geometry::{HalfSpace, closest_convex, is_in_range};
 use crate::math::wide::{round_shift_wide, to_i64};
 use crate::math::{Real, UnitVec3, Vec3};
 
@@ -53,10 +53,11 @@ pub fn overlap(a: &Shape, b: &Shape) -> bool {
 }
 
 impl Shape {
-    /// Whether a point, in metres, is inside or on the surface. Exact.
+    /// Whether a point, in metres, is inside or on the surface; of a mesh or height field, on a
+    /// face. Exact. A point is in nothing that is out of the range of shapes.
     #[must_use]
     pub fn contains(&self, point: Vec3) -> bool {
-        closest(&self.view(), &View::Convex(Core::point(point))).is_none()
+        is_in_range(point) && closest(&self.view(), &View::Convex(Core::point(point))).is_none()
     }
 }
 
