@@ -3,6 +3,7 @@
 mod cast;
 mod distance;
 mod golden;
+mod limits;
 mod set;
 mod table;
 mod twin;
