@@ -18,12 +18,6 @@ impl Lists {
         Self { starts: vec![0], items: Vec::new() }
     }
 
-    /// Lists that begin where `starts` says: one more number than there are lists, ascending from
-    /// 0 to the number of items.
-    pub(crate) fn between(starts: Vec<u32>, items: Vec<u32>) -> Self {
-        Self { starts, items }
-    }
-
     /// For every vertex the other ends of its edges, sorted. Of each edge the ends are given, the
     /// lower one first, and edges sorted.
     ///
