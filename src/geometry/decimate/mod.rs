@@ -36,7 +36,7 @@ impl TriangleMesh {
     ///
     /// Vertices and faces that remain keep their order; faces that name a vertex twice, and vertices
     /// of no face, are left out. How far the result is from the mesh is what
-    /// [`Deviation`](crate::partition::Deviation) measures. Beyond a span of 16 m, vertices move to
+    /// [`Deviation`](crate::partition::bvh::Deviation) measures. Beyond a span of 16 m, vertices move to
     /// multiples of the 2^-28th part of it.
     ///
     /// # Errors

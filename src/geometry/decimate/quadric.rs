@@ -119,3 +119,97 @@ impl AddAssign<&Self> for Quadric {
         self.c += other.c;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use alloc::vec::Vec;
+
+    use super::*;
+    use crate::math::{Pcg, Vec3};
+
+    type Plane = (UnitVec3, [i64; 3], i64);
+
+    fn quadric(planes: &[Plane]) -> Quadric {
+        let mut sum = Quadric::default();
+        for &(normal, point, weight) in planes {
+            sum += &Quadric::of_plane(normal, point, weight);
+        }
+        sum
+    }
+
+    /// Plane after plane: each square is at most 2^93.6, and with its weight below 2^120.6.
+    fn naive(planes: &[Plane], x: [i64; 3]) -> i128 {
+        let square = |&(normal, point, weight): &Plane| {
+            let n = normal.raw().map(|c| round_shift(c, 12));
+            let off: i64 = (0..3).map(|k| n[k] * (x[k] - point[k])).sum();
+            i128::from(off).pow(2) * i128::from(weight)
+        };
+        planes.iter().map(square).sum()
+    }
+
+    fn direction(x: i32, y: i32, z: i32) -> UnitVec3 {
+        UnitVec3::normalize(Vec3::from_ints(x, y, z)).unwrap_or(UnitVec3::X)
+    }
+
+    #[test]
+    fn sums_are_exact() {
+        const END: i64 = 1 << SPAN_BITS;
+        let mut rng = Pcg::new(1, 0);
+        for _ in 0..2_000 {
+            let mut along = |n: u32| i64::from(rng.below(n));
+            let mut place = || [(); 3].map(|()| [0, END, along(1 << 28)][along(3) as usize]);
+            let points = [(); 5].map(|()| place());
+            let planes: Vec<_> = points[1..]
+                .iter()
+                .map(|&point| {
+                    let mut part = || along(9) as i32 - 4;
+                    let normal = direction(part(), part(), part());
+                    (normal, point, 1 + along(1 << 24))
+                })
+                .collect();
+            let sum = quadric(&planes);
+            for x in points {
+                assert_eq!(Ok(sum.at(x)), naive(&planes, x).try_into());
+            }
+        }
+    }
+
+    /// As many planes as there can be, as far from a point as they can be.
+    #[test]
+    fn the_largest_sums_fit() {
+        const WEIGHT: i64 = 15 << 23;
+        let far = [1 << SPAN_BITS; 3];
+        for normal in [direction(1, 1, 1), direction(-1, -1, -1), direction(0, 1, 0)] {
+            for (point, x) in [([0; 3], far), (far, [0; 3]), (far, far)] {
+                let planes = [(normal, point, WEIGHT)];
+                let sum = quadric(&planes);
+                assert_eq!(Ok(sum.at(x)), naive(&planes, x).try_into());
+                assert!(sum.trace() > 0);
+            }
+        }
+    }
+
+    /// Three planes meet in a point, two in a line of which the nearest point is found, and one has
+    /// a foot.
+    #[test]
+    fn the_lowest_place_is_where_planes_meet() {
+        let corner = [1000, 2000, 3000];
+        let planes = [direction(1, 2, 2), direction(2, 1, -2), direction(2, -2, 1)]
+            .map(|normal| (normal, corner, 99));
+        let near = |found: Option<[i64; 3]>, wanted: [i64; 3]| {
+            let found = found.expect("a place");
+            let off = (0..3).map(|k| (found[k] - wanted[k]).abs()).max();
+            assert!(off <= Some(1), "{found:?} is not {wanted:?}");
+        };
+        let middle = [1300, 1900, 2700];
+        near(quadric(&planes).lowest(middle, 400), corner);
+        assert_eq!(quadric(&planes).lowest(middle, 200), None);
+        // The middle is (300, -100, -300) away: 166 2/3 along (2, -2, 1) / 3.
+        let line = [0, 1, 2].map(|k| corner[k] + [2, -2, 1][k] * 500 / 9);
+        near(quadric(&planes[..2]).lowest(middle, 400), line);
+        // And 166 2/3 against (1, 2, 2) / 3.
+        let foot = [0, 1, 2].map(|k| middle[k] + [1, 2, 2][k] * 500 / 9);
+        near(quadric(&planes[..1]).lowest(middle, 400), foot);
+        assert_eq!(Quadric::default().lowest(middle, 400), None);
+    }
+}

@@ -193,6 +193,7 @@ impl Surface {
             crossings += usize::from(count > 2);
         }
         match (rims, crossings) {
+            (0, 0) if next.is_empty() => Role::Fixed,
             (0, 0) if self.is_one_fan(vertex) => Role::Inner,
             (2, 0) if self.is_one_fan(vertex) => Role::Rim,
             _ => Role::Fixed,
