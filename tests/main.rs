@@ -46,6 +46,8 @@ mod motion;
 mod partition;
 /// Distances, casts and sets of shapes against twins in floats.
 mod query;
+/// Meshes of fewer faces, and how far they are from what they stand for.
+mod reduction;
 /// Constraints and contacts against the textbook and a naive twin.
 mod relaxation;
 /// Recordings that prove themselves, and those that do not.

@@ -8,6 +8,8 @@ pub mod container;
 pub mod fixture;
 pub mod float;
 pub mod frame;
+#[path = "../../examples/meshes/shapes/mod.rs"]
+pub mod meshes;
 pub mod momentum;
 pub mod random;
 pub mod spot;

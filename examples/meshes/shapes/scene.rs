@@ -79,16 +79,21 @@ pub fn tree(detail: u32) -> TriangleMesh {
     patches.mesh()
 }
 
-/// A room of 6 by 3 by 5 m seen from inside, with four pillars, a table and a lamp: 10 parts.
+/// A room of 6 by 3 by 5 m without a ceiling, with four pillars, a table and a lamp: 10 parts.
 pub fn room(detail: u32) -> TriangleMesh {
     let cells = |x: u32, y: u32, z: u32| [x, y, z].map(|c| c * detail);
     let mut patches = Patches::default();
     patches.block(mm(-3000, 0, -2500), mm(3000, 3000, 2500), cells(12, 6, 10));
     let walls = patches.mesh();
-    // Turned inside out.
-    let faces = walls.faces().iter().map(|&[a, b, c]| [a, c, b]);
-    let mut parts =
-        vec![TriangleMesh::new(walls.vertices().iter().copied(), faces).expect("walls")];
+    // Turned inside out, without a ceiling.
+    let above = |corners: &[u32; 3]| {
+        corners.iter().all(|&corner| walls.vertices()[corner as usize].raw()[1] == raw_mm(3000))
+    };
+    let faces = walls.faces().iter().filter(|corners| !above(corners));
+    let faces = faces.map(|&[a, b, c]| [a, c, b]);
+    let walls = TriangleMesh::new(walls.vertices().iter().copied(), faces).expect("walls");
+    // Nothing is reduced but the vertices of no face.
+    let mut parts = vec![walls.decimated(usize::MAX).expect("walls")];
     for (x, z) in [(-2200, -1700), (2200, -1700), (-2200, 1700), (2200, 1700)] {
         let (low, high) = (mm(x - 150, 0, z - 150), mm(x + 150, 3000, z + 150));
         parts.push(patches.block(low, high, cells(1, 8, 1)).mesh());
