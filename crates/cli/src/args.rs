@@ -19,6 +19,7 @@ use crate::heavy::Heavy;
 use crate::info::Info;
 use crate::man::Man;
 use crate::overlap::Overlap;
+use crate::reduce::Reduce;
 use crate::render::Render;
 use crate::run::Run;
 use crate::toi::Toi;
@@ -59,6 +60,7 @@ pub(crate) enum Command {
     Overlap(Overlap),
     Toi(Toi),
     Contacts(Contacts),
+    Reduce(Reduce),
     Completions(Completions),
     Man(Man),
 }
@@ -78,6 +80,7 @@ impl Command {
             Self::Overlap(overlap) => overlap.execute(limit, out),
             Self::Toi(toi) => toi.execute(limit, out),
             Self::Contacts(contacts) => contacts.execute(limit, out),
+            Self::Reduce(reduce) => reduce.execute(limit, out),
             Self::Completions(completions) => completions.execute(out),
             Self::Man(man) => man.execute(out),
         }

@@ -23,6 +23,7 @@ mod overlap;
 mod pipe;
 mod progress;
 mod recording;
+mod reduce;
 mod render;
 mod report;
 mod run;

@@ -15,6 +15,8 @@ mod heavy;
 mod inspect;
 /// Two meshes that intersect, or do not.
 mod overlap;
+/// What stands in for a mesh, and how far off it is.
+mod reduce;
 /// Pictures: sizes, sheets, films, goldens.
 mod render;
 /// Scenes stepped and recorded.

@@ -300,13 +300,20 @@ fn pictures_are_as_accepted() {
     assert!(!(bless && ci), "goldens are not accepted where CI is set");
     let root = fixture("..");
     let readme = std::fs::read_to_string(root.join("README.md")).expect("a text");
-    let commands = readme.lines().filter_map(|line| line.strip_prefix("verlock render "));
-    let shown = commands.filter_map(|line| line.split_once(" -o docs/pictures/"));
+    let commands = readme.lines().filter_map(|line| line.strip_prefix("verlock "));
+    let shown = commands.filter_map(|line| {
+        let ways = [" -o docs/pictures/", " --render docs/pictures/"];
+        ways.into_iter().find_map(|way| line.split_once(way))
+    });
     let mut count = 0;
     for (args, name) in shown {
-        let args: Vec<_> = ["render"].into_iter().chain(args.split_whitespace()).collect();
-        let output = Sandbox::new("render-golden").command(&args).current_dir(&root).output();
-        let found = output.expect("the command to run").stdout;
+        let sandbox = Sandbox::new("render-golden");
+        let way = if args.starts_with("render ") { "-o" } else { "--render" };
+        let picture = sandbox.path("picture.png").display().to_string();
+        let args: Vec<_> = args.split_whitespace().chain([way, &picture]).collect();
+        let output = sandbox.command(&args).current_dir(&root).output();
+        assert!(output.expect("the command to run").status.success(), "{name}");
+        let found = sandbox.read("picture.png");
         let accepted = root.join("docs/pictures").join(name);
         if bless {
             std::fs::write(&accepted, &found).expect("a file to write");

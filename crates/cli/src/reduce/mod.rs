@@ -1,0 +1,166 @@
+//! `verlock reduce`: what stands in for a mesh.
+
+mod look;
+mod proxy;
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use serde_json::{Value, json};
+use verlock::geometry::{Aabb, TriangleMesh};
+use verlock::partition::bvh::{Bvh, Farthest};
+use verlock::scene::Obj;
+use verlock::world::{DrawSink, Shade};
+use verlock::{Real, Vec3};
+
+use self::look::Look;
+use self::proxy::{Proxy, Wanted, text};
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::overlap::mesh;
+use crate::render::{self, Format, View, size};
+use crate::report::Report;
+use crate::target::Target;
+
+/// Make something simpler that stands in for a mesh, and tell how far off it is
+///
+/// Prints what it is, and its deviation: no point of either surface is farther from the other one,
+/// in metres. Then both directions apart, with a lower bound too, and a point that is so far away.
+/// Hulls, spheres, capsules and boxes contain the mesh; `beyond_hull` says how far they reach beyond
+/// its convex hull. Such as are round are measured as 64 sides, within 1/256 of the radius.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Reduce {
+    /// An OBJ file
+    mesh: PathBuf,
+
+    #[command(flatten)]
+    wanted: Wanted,
+
+    /// Write what stands in as a mesh: an .obj, or `-`
+    #[arg(short, long, value_name = "OBJ")]
+    output: Option<PathBuf>,
+
+    /// Paint the mesh and, beside it, what stands in: a .png
+    #[arg(long, value_name = "PNG")]
+    render: Option<PathBuf>,
+
+    /// Pixels of the picture
+    #[arg(long, value_name = "WxH", value_parser = size, default_value = "640x480")]
+    size: [u32; 2],
+
+    /// Where the camera stands
+    #[arg(long, value_enum, default_value_t)]
+    view: View,
+
+    /// Overwrite files
+    #[arg(long)]
+    force: bool,
+
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl Reduce {
+    pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
+        let [picture, file] = [self.picture()?, self.file()?];
+        let input = Input::read(&self.mesh, limit)?;
+        let original = mesh(&input)?;
+        let proxy = self.wanted.of(&original, &input)?;
+        let report = report(&original, &proxy);
+        if let Some(picture) = picture {
+            let draw = |sink: &mut dyn DrawSink| draw(&original, &proxy.look.mesh, self.view, sink);
+            picture.write(&render::still(self.size, self.view, &draw)?, out)?;
+        }
+        if let Some(file) = file {
+            let text = Obj::from(TriangleMesh::clone(&proxy.look.mesh)).to_string();
+            file.write(text.as_bytes(), out)?;
+            if file.is_stdout() {
+                return Ok(Exit::Fine);
+            }
+        }
+        report.print(self.json, out)?;
+        Ok(Exit::Fine)
+    }
+
+    fn picture(&self) -> Result<Option<Target>, Failure> {
+        let Some(path) = &self.render else { return Ok(None) };
+        let target = self.target(path)?;
+        if target.is_stdout() {
+            return Err(Failure::usage("stdout is for the report: name a file for the picture"));
+        }
+        if Format::of(path)? != Format::Png {
+            return Err(Failure::usage(format!("{}: is no .png", path.display())));
+        }
+        Ok(Some(target))
+    }
+
+    fn file(&self) -> Result<Option<Target>, Failure> {
+        self.output.as_ref().map(|path| self.target(path)).transpose()
+    }
+
+    fn target(&self, path: &Path) -> Result<Target, Failure> {
+        let target = Target::new(path.into(), self.force)?;
+        if target.is(&self.mesh) {
+            let path = path.display();
+            return Err(Failure::usage(format!("{path}: the mesh would be overwritten")));
+        }
+        Ok(target)
+    }
+}
+
+/// What there was, what there is, and how far apart they are.
+fn report(original: &Arc<TriangleMesh>, proxy: &Proxy) -> Report {
+    let Proxy { kind, look: Look { mesh, rough }, around } = proxy;
+    let [tree, of_proxy] = [original, mesh].map(|mesh| <Bvh>::new(Arc::clone(mesh)));
+    let deviation = tree.deviation(&of_proxy);
+    let mut report = Report::default();
+    report.add("v", 1);
+    report.add("proxy", *kind);
+    report.add("mesh_faces", original.faces().len());
+    report.add("mesh_vertices", original.vertices().len());
+    if let Some((beyond_hull, shape)) = around {
+        report.add("shape", shape.clone());
+        report.add("beyond_hull", beyond_hull.to_string());
+    } else {
+        report.add("faces", mesh.faces().len());
+        report.add("vertices", mesh.vertices().len());
+    }
+    report.add("deviation", (deviation.at_most() + *rough).to_string());
+    report.add("of_mesh", farthest(&deviation.of_original, *rough));
+    report.add("of_proxy", farthest(&deviation.of_proxy, *rough));
+    report
+}
+
+/// The bounds of a distance that is measured to within `rough`.
+fn farthest(&Farthest { point, at_least, at_most }: &Farthest, rough: Real) -> Value {
+    let at_least = (at_least - rough).max(Real::ZERO);
+    let [at_least, at_most] = [at_least, at_most + rough].map(|length| length.to_string());
+    json!({ "at_least": at_least, "at_most": at_most, "point": text(point) })
+}
+
+/// Paints a mesh and, to the right of it, another.
+fn draw(original: &TriangleMesh, proxy: &TriangleMesh, view: View, sink: &mut dyn DrawSink) {
+    let corners = original.vertices().iter().chain(proxy.vertices());
+    let Some(bounds) = Aabb::around(corners.copied()) else { return };
+    let extent = bounds.max() - bounds.min();
+    let zero = Real::ZERO;
+    let part = |length: Real, tenths: i64| Real::from_raw(length.raw() / 10 * tenths);
+    // To the right as it is seen, with a gap between them.
+    let right = match view {
+        View::Front | View::Top => Vec3::new(part(extent.x, 11), zero, zero),
+        View::Side => Vec3::new(zero, zero, part(extent.z, -11)),
+        View::Iso => {
+            let wide = extent.x.max(extent.z);
+            Vec3::new(part(wide, 10), zero, part(wide, -8))
+        }
+    };
+    for (mesh, way, shade) in [(original, Vec3::ZERO, Shade::Face), (proxy, right, Shade::Collider)]
+    {
+        for triangle in mesh.triangles() {
+            sink.triangle(triangle.corners().map(|corner| corner + way), shade);
+        }
+    }
+}
