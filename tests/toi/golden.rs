@@ -26,5 +26,5 @@ fn times_are_as_accepted() {
             }
         }
     }
-    assert_eq!(Hash::of(&bytes).to_string(), "b32ba71f3fc511ab96ab6e67fc272354");
+    assert_eq!(Hash::of(&bytes).to_string(), "4551ed5e6b464bc5d1f318a6c97bf508");
 }

@@ -197,10 +197,13 @@ impl Time {
                 let g = gcd(p, &root);
                 common = (g.len() > 1).then(|| chain(&g));
             }
-            if let Some(chain) = &common
-                && roots_between(chain, &self.low, &(&self.low + 1), self.bits) > 0
-            {
-                return NoSign; // it is the only root of `root` there
+            if let Some(chain) = &common {
+                // Inside it is the only root of `root`; another may be the upper end.
+                let high = &self.low + 1;
+                let ends = usize::from(sign_at(&chain[0], &high, self.bits) == NoSign);
+                if roots_between(chain, &self.low, &high, self.bits) > ends {
+                    return NoSign;
+                }
             }
             self.refine();
         }

@@ -40,15 +40,16 @@ use relation::Relation;
 /// ```
 /// use verlock::geometry::sweep::{Motion, Sweep};
 /// use verlock::math::Unit;
-/// use verlock::{Real, Vec3, real};
+/// use verlock::{Vec3, real};
 ///
 /// let floor = [Vec3::ZERO, Vec3::X, Vec3::Z].map(Motion::rest);
-/// let [above, below] = ["3", "-1"].map(|y| Vec3::new(real!("0.2"), y.parse().unwrap(), real!("0.2")));
-/// let impact = Sweep::default().vertex_face(Motion::new(above, below), floor);
+/// let inside = (Vec3::X + Vec3::Z) * real!("0.2");
+/// let fall = |from| Motion::new(from + Vec3::from_ints(0, 3, 0), from - Vec3::Y);
+/// let impact = Sweep::default().vertex_face(fall(inside), floor);
 /// assert_eq!(impact.map(|impact| impact.time), Unit::from_ratio(3, 4).ok());
 ///
-/// let beside = Motion::new(above + Vec3::X, below + Vec3::X);
-/// assert_eq!(Sweep::default().vertex_face(beside, floor), None);
+/// let beside = Sweep::default().vertex_face(fall(inside + Vec3::X), floor);
+/// assert_eq!(beside, None);
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Sweep {

@@ -13,13 +13,12 @@ use crate::math::wide::sub;
 pub(super) struct Relation {
     /// Along x, y and z.
     axes: [Row; 3],
-    /// A, B and C at time 0 and at time 1.
+    /// The leading bits of A, B and C at time 0 and at time 1: below 2^44.
     frames: [Frame; 2],
-    /// The leading bits of A, B and C at time 0, and of what they gain.
+    /// Features closer than the gap are within this of one another along every axis of `frames`.
+    slack: i64,
+    /// The leading bits of A, B and C at time 0, and of what they gain: below 2^28.
     coarse: [Frame; 2],
-    /// How many bits directions have; 0: there is no room for any.
-    fine: u32,
-    gap: i64,
     /// Whether `u + v <= 1`.
     is_triangle: bool,
     is_narrow: bool,
@@ -30,8 +29,9 @@ pub(super) const NARROW_BITS: u32 = 60;
 
 /// Directions of more bits would find little more.
 const DIRECTION_BITS: u32 = 12;
-/// Directions of fewer bits would find nothing.
-const DIRECTION_BITS_MIN: u32 = 4;
+/// The bits of what directions are multiplied by: values along them, and sums of these, have less
+/// than 2 more than both together, and leave times to be told apart that are 2^-30 of a step.
+const FRAME_BITS: u32 = NARROW_BITS - DIRECTION_BITS - 4;
 /// What directions are made of.
 const COARSE_BITS: u32 = 28;
 
@@ -79,27 +79,22 @@ impl Relation {
             return None;
         }
         let bits = bits(start.iter().chain(&end)).max(u64::BITS - gap.leading_zeros());
-        // What a direction of k bits makes of b bits is below 3 * 2^(k + b) < 2^(k + b + 2).
-        let mut fine = (NARROW_BITS - 2).saturating_sub(bits).min(DIRECTION_BITS);
-        if fine < DIRECTION_BITS_MIN {
-            fine = 0;
-        }
         let gain = [0, 1, 2].map(|k| sub(end[k], start[k]));
         // A gain has one bit more.
         let coarse = [start, gain].map(|frame| frame.map(|v| scaled(v, bits + 1, COARSE_BITS)));
-        let frames = [start, end];
-        let mut relation = Self { axes, frames, coarse, fine, gap, is_triangle, is_narrow: false };
+        let frames = [start, end].map(|frame| frame.map(|v| cut(v, bits, FRAME_BITS)));
+        // What is cut off A, B and C is below 1 each, and so is what is cut off the gap.
+        let surplus = bits.saturating_sub(FRAME_BITS);
+        let slack = if surplus == 0 { gap } else { (gap >> surplus) + 4 };
         // A value is the sum of three.
-        relation.is_narrow = bits + relation.direction_bits() + 2 <= NARROW_BITS;
-        let is_apart = relation.directions(&Cell::ALL).any(|row| row.is_apart(is_triangle));
+        let is_narrow = bits + Self::DIRECTION_BITS + 2 <= NARROW_BITS;
+        let relation = Self { axes, frames, slack, coarse, is_triangle, is_narrow };
+        let is_apart = relation.directions(&Cell::ALL).iter().any(|row| row.is_apart(is_triangle));
         (!is_apart).then_some(relation)
     }
 
     /// No value along a direction is larger than 2^this times one along an axis.
-    #[inline]
-    pub(super) fn direction_bits(&self) -> u32 {
-        if self.fine > 0 { self.fine + 2 } else { 0 }
-    }
+    pub(super) const DIRECTION_BITS: u32 = DIRECTION_BITS + 2;
 
     /// The rows along x, y and z.
     #[inline]
@@ -109,29 +104,27 @@ impl Relation {
 
     /// The rows along `B x C`, `C x V` and `V x B`, where V is the velocity, all in the middle of a
     /// box: each has next to no component along two of what t, u and v change F by there, and so
-    /// tells the third. None where numbers are too large for it.
+    /// tells the third.
     #[inline]
-    pub(super) fn directions(&self, cell: &Cell) -> impl Iterator<Item = Row> {
+    pub(super) fn directions(&self, cell: &Cell) -> [Row; 3] {
         let [t, u, v] = [0, 1, 2].map(|axis| cell.middle(axis));
         let [start, gain] = &self.coarse;
         // Below 2^28, and after sums below 2^30.
         let at = |p: Vector, q: Vector, by: i64| [0, 1, 2].map(|k| p[k] + q[k] * by / (1 << 30));
         let (b, c) = (at(start[1], gain[1], t), at(start[2], gain[2], t));
         let velocity = at(at(gain[0], gain[1], u), gain[2], v);
-        let pairs = [[b, c], [c, velocity], [velocity, b]];
-        let count = if self.fine > 0 { 3 } else { 0 };
-        pairs.into_iter().take(count).map(|[p, q]| self.along(cross(p, q)))
+        [cross(b, c), cross(c, velocity), cross(velocity, b)].map(|d| self.along(d))
     }
 
     /// The row along a direction.
     #[inline]
     fn along(&self, direction: Vector) -> Row {
-        let direction = scaled(direction, bits([direction].iter()), self.fine);
+        let direction = cut(direction, bits([direction].iter()), DIRECTION_BITS);
         let [start, end] =
             self.frames.map(|frame| frame.map(|v| (0..3).map(|k| direction[k] * v[k]).sum()));
         // No component along it is longer than the longest of F times this.
         let size: i64 = direction.iter().map(|c| c.abs()).sum();
-        Row::new(start, end, self.gap * size)
+        Row::new(start, end, self.slack * size)
     }
 
     /// Whether `u + v <= 1`, and not only `u <= 1` and `v <= 1`.
@@ -140,7 +133,8 @@ impl Relation {
         self.is_triangle
     }
 
-    /// Whether the values over the box of all t, u and v are narrow.
+    /// Whether the values over the box of all t, u and v are narrow; if not, frames may have been
+    /// cut, and no values are to be taken for narrow.
     #[inline]
     pub(super) fn is_narrow(&self) -> bool {
         self.is_narrow
@@ -148,8 +142,8 @@ impl Relation {
 
     /// Whether F is not 0 over a box unless when it ends.
     pub(super) fn is_clear_before_end(&self, cell: &Cell) -> bool {
-        let rows = self.axes.into_iter().chain(self.directions(cell));
-        rows.into_iter().any(|row| row.span::<i128>(cell).is_clear(false))
+        let mut rows = self.axes.into_iter().chain(self.directions(cell));
+        rows.any(|row| row.span::<i128>(cell).is_clear(false))
     }
 }
 
@@ -159,14 +153,15 @@ fn bits<'a>(vectors: impl Iterator<Item = &'a Vector>) -> u32 {
     u64::BITS - all.leading_zeros()
 }
 
-/// A vector of so many bits in others: times a power of two, cut towards zero, so that a mirrored
-/// vector is cut the same way.
+/// The leading bits of a vector of so many: cut towards zero, so that a mirrored vector is cut the
+/// same way.
+fn cut(vector: Vector, bits: u32, most: u32) -> Vector {
+    vector.map(|c| c / (1 << bits.saturating_sub(most)))
+}
+
+/// A vector of so many bits in others: cut, or times a power of two.
 fn scaled(vector: Vector, bits: u32, wanted: u32) -> Vector {
-    if bits > wanted {
-        vector.map(|c| c / (1 << (bits - wanted)))
-    } else {
-        vector.map(|c| c << (wanted - bits))
-    }
+    cut(vector, bits, wanted).map(|c| c << wanted.saturating_sub(bits))
 }
 
 /// The cross product of vectors below 2^30.

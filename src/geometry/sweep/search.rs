@@ -85,7 +85,7 @@ fn view<W: Width>(relation: &Relation, cell: &Cell) -> Option<View> {
         extents = [0, 1, 2].map(|k| extents[k].max(found[k]));
     }
     let mut rest = *cell;
-    for (axis, row) in relation.directions(cell).enumerate() {
+    for (axis, row) in relation.directions(cell).into_iter().enumerate() {
         let span = row.span::<W>(cell);
         if span.is_clear(is_last) {
             return None;
@@ -102,8 +102,8 @@ fn view<W: Width>(relation: &Relation, cell: &Cell) -> Option<View> {
     // Values over a part are between those over the whole, in smaller units, and along a direction
     // they are larger by its size: below 2^60 if this holds, and their differences below 2^61.
     let deeper = (rest.scale() - cell.scale()).max(1);
-    let room = NARROW_BITS.saturating_sub(relation.direction_bits() + deeper);
-    let is_narrow = magnitude < W::of(1).doubled(room);
+    let room = NARROW_BITS.saturating_sub(Relation::DIRECTION_BITS + deeper);
+    let is_narrow = relation.is_narrow() && magnitude < W::of(1).doubled(room);
     Some(View { rest, axis: widest.1, is_narrow })
 }
 
