@@ -4,6 +4,7 @@ mod advance;
 mod capsules;
 mod exact;
 mod golden;
+mod laws;
 mod meshes;
 mod oracle;
 mod sampling;
