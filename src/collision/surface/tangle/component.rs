@@ -86,7 +86,7 @@ impl Component {
     }
 
     /// Its vertices and edges, sorted.
-    pub(super) fn features(&self) -> Vec<(usize, FeatureId)> {
+    pub(super) fn features(&self) -> Vec<(u32, FeatureId)> {
         let knots = self.knots.iter().flat_map(|knot| (0..).zip(knot.features));
         let mut features: Vec<_> =
             knots.filter(|(_, feature)| feature.kind() != FeatureKind::Face).collect();

@@ -28,7 +28,7 @@ use contour::Contour;
 pub(super) struct Tangle {
     pub(super) parts: Vec<(UnitVec3, Vec<Contact>)>,
     /// Sorted, as pairs of which and what: 0 for A, 1 for B.
-    drowned: Vec<(usize, FeatureId)>,
+    drowned: Vec<(u32, FeatureId)>,
 }
 
 impl Tangle {
@@ -67,9 +67,9 @@ impl Tangle {
 }
 
 /// Whether features, which are sorted, hold a vertex of a proximity, or both edges.
-fn holds(features: &[(usize, FeatureId)], proximity: &Proximity) -> bool {
+fn holds(features: &[(u32, FeatureId)], proximity: &Proximity) -> bool {
     let [a, b] = proximity.contact.features;
-    let is_in = |k: usize, feature: FeatureId, kind: FeatureKind| {
+    let is_in = |k: u32, feature: FeatureId, kind: FeatureKind| {
         feature.kind() == kind && features.binary_search(&(k, feature)).is_ok()
     };
     let (vertex, edge) = (FeatureKind::Vertex, FeatureKind::Edge);
