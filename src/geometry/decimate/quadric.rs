@@ -156,15 +156,18 @@ mod tests {
         const END: i64 = 1 << SPAN_BITS;
         let mut rng = Pcg::new(1, 0);
         for _ in 0..2_000 {
-            let mut along = |n: u32| i64::from(rng.below(n));
-            let mut place = || [(); 3].map(|()| [0, END, along(1 << 28)][along(3) as usize]);
-            let points = [(); 5].map(|()| place());
+            let mut place = || match rng.below(3) {
+                0 => 0,
+                1 => END,
+                _ => i64::from(rng.below(1 << 28)),
+            };
+            let points = [(); 5].map(|()| [(); 3].map(|()| place()));
             let planes: Vec<_> = points[1..]
                 .iter()
                 .map(|&point| {
-                    let mut part = || along(9) as i32 - 4;
+                    let mut part = || rng.below(9).cast_signed() - 4;
                     let normal = direction(part(), part(), part());
-                    (normal, point, 1 + along(1 << 24))
+                    (normal, point, 1 + i64::from(rng.below(1 << 24)))
                 })
                 .collect();
             let sum = quadric(&planes);
