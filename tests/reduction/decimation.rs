@@ -160,7 +160,13 @@ proptest! {
 
     /// Whatever a mesh is, what is left is one, of its own vertices where nothing could move.
     #[test]
-    fn soups_are_taken(seed: u64, faces in 1..60_u32, places in 2..6_u32, bits in 0..38_u32, target in 0..40_usize) {
+    fn soups_are_taken(
+        seed: u64,
+        faces in 1..60_u32,
+        places in 2..6_u32,
+        bits in 0..38_u32,
+        target in 0..40_usize,
+    ) {
         let mesh = soup(seed, faces, places, bits);
         match mesh.decimated(target) {
             Ok(small) => {

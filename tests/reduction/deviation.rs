@@ -81,7 +81,8 @@ fn check(from: &TriangleMesh, to: &TriangleMesh, told: Farthest, steps: u32, wha
     assert!((at_least - ROUNDING..=at_most + ROUNDING).contains(&there), "{what}: {there}");
 }
 
-/// Ten shapes, each reduced: no sampled point is farther away than is told, and what is told is met.
+/// Ten shapes, each reduced: no sampled point is farther away than is told, and what is told is
+/// met.
 #[test]
 fn shapes_are_as_far_off_as_is_told() {
     for (name, shape) in SHAPES {

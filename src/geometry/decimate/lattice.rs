@@ -6,8 +6,8 @@ use crate::math::wide::{round_shift, sub};
 
 /// Cells as wide as a power of two of raw units, laid over a box from its lowest corner.
 ///
-/// A point goes to the nearest corner of a cell. Only differences from the base are rounded, so that
-/// what is derived is the same wherever the box is.
+/// A point goes to the nearest corner of a cell. Only differences from the base are rounded, so
+/// that what is derived is the same wherever the box is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Lattice {
     bounds: Aabb,
@@ -15,8 +15,8 @@ pub(super) struct Lattice {
 }
 
 impl Lattice {
-    /// The finest cells, single raw units at best, of which at most 2^`bits` are as long as the box,
-    /// whose corners are within 2^60.
+    /// The finest cells, single raw units at best, of which at most 2^`bits` are as long as the
+    /// box, whose corners are within 2^60.
     pub(super) fn over(bounds: Aabb, bits: u32) -> Self {
         Self { bounds, shift: (u64::BITS - bounds.span().leading_zeros()).saturating_sub(bits) }
     }

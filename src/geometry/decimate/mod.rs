@@ -34,10 +34,10 @@ impl TriangleMesh {
     /// without holes through it, 14 of a ring, 1 of each sheet, and all around edges of three faces
     /// and more. Faces that are far from one another may come to intersect.
     ///
-    /// Vertices and faces that remain keep their order; faces that name a vertex twice, and vertices
-    /// of no face, are left out. How far the result is from the mesh is what
-    /// [`Deviation`](crate::partition::bvh::Deviation) measures. Beyond a span of 16 m, vertices move to
-    /// multiples of the 2^-28th part of it.
+    /// Vertices and faces that remain keep their order; faces that name a vertex twice, and
+    /// vertices of no face, are left out. How far the result is from the mesh is what
+    /// [`Deviation`](crate::partition::bvh::Deviation) measures. Beyond a span of 16 m, vertices
+    /// move to multiples of the 2^-28th part of it.
     ///
     /// # Errors
     /// [`MeshError::NoFace`] if every face names a vertex twice.

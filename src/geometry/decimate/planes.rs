@@ -21,8 +21,8 @@ struct Plane {
     size: u128,
 }
 
-/// The quadric of every vertex: of the planes of its faces, weighted by their area, and of its edges
-/// at the boundary, weighted by the square of their length.
+/// The quadric of every vertex: of the planes of its faces, weighted by their area, and of its
+/// edges at the boundary, weighted by the square of their length.
 ///
 /// The square of an edge is as much as 2.3 times the area of the face that leans on it if that is
 /// equilateral; what is lost from a boundary is seen from afar.

@@ -27,8 +27,8 @@ const NORMAL_BITS: u32 = 18;
 /// | c, x A x, the sum | 2^120.6 | each a sum of squares; terms on the way are below 2^124 |
 ///
 /// A plane counts at each of its corners, so that where they are all drawn together a face counts
-/// three times and a boundary edge twice. All weights together are 2^24, and at most 1 more for each
-/// of 2^23 faces and of at most three times as many boundary edges.
+/// three times and a boundary edge twice. All weights together are 2^24, and at most 1 more for
+/// each of 2^23 faces and of at most three times as many boundary edges.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(super) struct Quadric {
     /// xx, yy, zz, yz, zx, xy.

@@ -27,11 +27,11 @@ pub struct Nearest {
 type Open = (u128, u32);
 
 impl<V: Volume> Bvh<V> {
-    /// The point of the mesh, where its vertices are, that is nearest to `point`, which is within the
-    /// range of a mesh's vertices.
+    /// The point of the mesh, where its vertices are, that is nearest to `point`, which is within
+    /// the range of a mesh's vertices.
     ///
-    /// Faces are compared by their nearest points as they are rounded, so one that is nearer by less
-    /// than 60 nm may be passed over. O(log n) for n faces unless many are equally near.
+    /// Faces are compared by their nearest points as they are rounded, so one that is nearer by
+    /// less than 60 nm may be passed over. O(log n) for n faces unless many are equally near.
     #[must_use]
     pub fn nearest(&self, point: Vec3) -> Nearest {
         let first = self.nearest_on(0, point);

@@ -28,8 +28,8 @@ use crate::target::Target;
 ///
 /// Prints what it is, and its deviation: no point of either surface is farther from the other one,
 /// in metres. Then both directions apart, with a lower bound too, and a point that is so far away.
-/// Hulls, spheres, capsules and boxes contain the mesh; `beyond_hull` says how far they reach beyond
-/// its convex hull. Such as are round are measured as 64 sides, within 1/256 of the radius.
+/// Hulls, spheres, capsules and boxes contain the mesh; `beyond_hull` says how far they reach
+/// beyond its convex hull. Such as are round are measured as 64 sides, within 1/256 of the radius.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Reduce {
     /// An OBJ file

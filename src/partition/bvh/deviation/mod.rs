@@ -1,10 +1,11 @@
 //! How far two surfaces are from one another.
 //!
-//! The distance from one face is a convex function: on a convex piece of a plane it is greatest at a
-//! corner. So whatever face one chooses, the distances of the corners from it bound how far any point
-//! of the piece is from the surface. Pieces of which that says too little are cut, the least certain
-//! one first, until the bound is near enough to the greatest distance that was met at a corner (Tang,
-//! Lee and Kim, *Interactive Hausdorff Distance Computation for General Polygonal Models*, 2009).
+//! The distance from one face is a convex function: on a convex piece of a plane it is greatest at
+//! a corner. So whatever face one chooses, the distances of the corners from it bound how far any
+//! point of the piece is from the surface. Pieces of which that says too little are cut, the least
+//! certain one first, until the bound is near enough to the greatest distance that was met at a
+//! corner (Tang, Lee and Kim, *Interactive Hausdorff Distance Computation for General Polygonal
+//! Models*, 2009).
 
 mod piece;
 
@@ -61,10 +62,10 @@ impl<V: Volume> Bvh<V> {
 
     /// What of this mesh is farthest from another: the directed Hausdorff distance.
     ///
-    /// `at_most` is no more than 1/256 above `at_least`, or than 4 micrometres or the 2^-20th part of
-    /// how wide both are together, unless 2^17 cuts do not suffice: they may not where a plane is
-    /// compared with very many small faces. It is true in any case. O(n log n) for n faces of both,
-    /// and a second at most for cuts.
+    /// `at_most` is no more than 1/256 above `at_least`, or than 4 micrometres or the 2^-20th part
+    /// of how wide both are together, unless 2^17 cuts do not suffice: they may not where a plane
+    /// is compared with very many small faces. It is true in any case. O(n log n) for n faces of
+    /// both, and a second at most for cuts.
     #[must_use]
     pub fn farthest_from(&self, other: &Self) -> Farthest {
         let mut search = Search::new(self, other);

@@ -101,7 +101,8 @@ impl Piece {
     }
 
     /// Where to cut: along an edge of the face that bounds it, so that on one side the bound is the
-    /// distance from its plane; or across, if it is much larger than the face, or nothing is gained.
+    /// distance from its plane; or across, if it is much larger than the face, or nothing is
+    /// gained.
     pub(super) fn cut<V: Volume>(&self, to: &Bvh<V>) -> Cut {
         let triangle = &to.triangles[self.face as usize];
         if self.span() >> 1 <= triangle.bounds().span() {
