@@ -113,7 +113,7 @@ fn all(seed: u64, queries: u32) {
 
 #[test]
 fn no_contact_that_is_seen_is_missed() {
-    all(3, 1_000);
+    all(3, 300);
     assert!(run(4, 0, false, 0, 1_000) > 20 && run(4, 0, true, 100, 200) > 10);
 }
 
