@@ -1,7 +1,12 @@
 //! Writes ten meshes as OBJ files: `cargo run --release --example meshes -- FOLDER [DETAIL]`.
 //!
 //! Detail 1 gives a few hundred faces each, detail 10 a hundred times as many.
-#![allow(clippy::print_stdout, clippy::disallowed_methods, reason = "a program for the shell")]
+#![allow(
+    clippy::disallowed_methods,
+    clippy::print_stdout,
+    unreachable_pub,
+    reason = "a program for the shell, whose shapes the tests use too"
+)]
 
 mod shapes;
 

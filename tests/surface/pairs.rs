@@ -128,7 +128,7 @@ fn in_key([x, y, z]: [i32; 3]) -> bool {
 fn key_in_lock(cuts: i32) -> Scene {
     const SIZE: [i32; 3] = [11, 4, 3];
     let key = Solid::cubes(SIZE, cuts, in_key).shrunk(0.002);
-    let lock = Solid::cubes(SIZE, cuts, |c| !in_key(c) && !(c[0] == 10 && in_key([9, c[1], c[2]])));
+    let lock = Solid::cubes(SIZE, cuts, |c| !(in_key(c) || c[0] == 10 && in_key([9, c[1], c[2]])));
     let place = |rng: &mut Pcg| {
         let [x, y, z] = [(); 3].map(|()| 0.0022 * number(rng));
         let out = if rng.below(4) == 0 { 2.0 * number(rng).abs() } else { 0.0 };

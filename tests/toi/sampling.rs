@@ -102,11 +102,11 @@ fn run(seed: u64, class: usize, is_face: bool, gap: i64, queries: u32) -> u32 {
 }
 
 fn all(seed: u64, queries: u32) {
-    for class in 0..CLASSES.len() {
+    for (class, name) in CLASSES.iter().enumerate() {
         for is_face in [true, false] {
             let through: u32 = run(seed, class, is_face, 0, queries);
             let near: u32 = run(seed, class, is_face, 200, queries / 16);
-            println!("{:?} {is_face}: {through} of {queries} pass, {near} near", CLASSES[class]);
+            println!("{:?} {is_face}: {through} of {queries} pass, {near} near", name);
         }
     }
 }

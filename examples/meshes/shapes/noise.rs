@@ -8,7 +8,7 @@ pub fn noise(place: [i64; 3]) -> i64 {
     for corner in 0..8 {
         let ends = [0, 1, 2].map(|k| corner >> k & 1);
         let weights = [0, 1, 2].map(|k| if ends[k] == 1 { part[k] } else { (1 << 16) - part[k] });
-        let weight = (weights[0] * weights[1] >> 16) * weights[2] >> 16;
+        let weight = (((weights[0] * weights[1]) >> 16) * weights[2]) >> 16;
         sum += weight * (random([0, 1, 2].map(|k| cell[k] + ends[k])) >> 16);
     }
     sum
@@ -16,7 +16,7 @@ pub fn noise(place: [i64; 3]) -> i64 {
 
 /// 0 to 2^16, level at both ends.
 fn smooth(t: i64) -> i64 {
-    (t * t >> 16) * (3 * (1 << 16) - 2 * t) >> 16
+    (((t * t) >> 16) * (3 * (1 << 16) - 2 * t)) >> 16
 }
 
 /// A number of 30 fractional bits between -1 and 1 for every cell.

@@ -96,13 +96,13 @@ pub fn rock(detail: u32) -> TriangleMesh {
 }
 
 /// Adds a tube around a path of `along` steps, closed if the path is.
-pub fn tube<'a>(
-    patches: &'a mut Patches,
+pub fn tube(
+    patches: &mut Patches,
     along: u32,
     across: u32,
     path: impl Fn(u32) -> [i64; 3],
     radius: impl Fn(u32) -> i64,
-) -> &'a mut Patches {
+) -> &mut Patches {
     let is_closed = path(0) == path(along);
     let ring = |k: u32, i: u32| {
         let (before, after) = if is_closed {
