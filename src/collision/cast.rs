@@ -111,10 +111,11 @@ pub(super) fn between(a: &View, motion: Vec3, b: &View) -> Option<Cast> {
     }
 }
 
-/// The first of both, of two at a time the one with lower numbers.
+/// The first of both; of two at a time one that overlaps from the start, then the one with lower
+/// numbers.
 fn earlier(best: Option<Cast>, next: Option<Cast>) -> Option<Cast> {
     let (Some(first), Some(second)) = (best, next) else { return best.or(next) };
-    let rank = |cast: Cast| (cast.time, cast.part_a, cast.part_b);
+    let rank = |cast: Cast| (cast.time, cast.touch.is_some(), cast.part_a, cast.part_b);
     if rank(second) < rank(first) { next } else { best }
 }
 

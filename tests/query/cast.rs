@@ -1,9 +1,11 @@
 //! Moving shapes: never late, never missed, never far.
 
+use std::sync::Arc;
+
 use verlock::Vec3;
-use verlock::collision::{Cast, Shape, cast, cast_segment, distance, overlap};
-use verlock::geometry::{Segment, Sphere, Triangle};
-use verlock::math::{Pcg, Real, Unit};
+use verlock::collision::{Cast, MeshShape, Shape, cast, cast_segment, distance, overlap};
+use verlock::geometry::{HalfSpace, Segment, Sphere, Triangle, TriangleMesh};
+use verlock::math::{Pcg, Real, Unit, UnitVec3};
 
 use super::twin::Twin;
 use super::{CLASSES, Draw, KINDS, kinds, moved};
@@ -119,6 +121,21 @@ fn balls_meet_when_they_should() {
         }
     }
     assert!(hits > 100, "only {hits}");
+}
+
+/// A face that overlaps from the start counts before one that touches at once.
+#[test]
+fn what_overlaps_is_told_before_what_touches_at_once() {
+    let floor = HalfSpace::new(Vec3::ZERO, UnitVec3::Y).expect("legal").into();
+    let corner = |x: i32, y: i64| Vec3::from_raw([i64::from(x) << 24, y, i64::from(x * x) << 24]);
+    let vertices = [corner(0, 1), corner(1, 1), corner(2, 1), corner(3, 0)];
+    let mesh = TriangleMesh::new(vertices, [[0, 1, 2], [1, 2, 3]]).expect("legal");
+    let mesh = MeshShape::new(Arc::new(mesh)).into();
+    // One unit of a way of 2^31.
+    let hit = cast(&mesh, Vec3::from_ints(0, -128, 0), &floor).expect("a hit");
+    assert_eq!((hit.time, hit.touch, hit.part_a), (Unit::ZERO, None, 1));
+    let hit = cast(&floor, Vec3::from_ints(0, 128, 0), &mesh).expect("a hit");
+    assert_eq!((hit.time, hit.touch, hit.part_b), (Unit::ZERO, None, 1));
 }
 
 /// No segment slips through a triangle, between two, or past a corner of a fan.
