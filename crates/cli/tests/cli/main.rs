@@ -1,9 +1,17 @@
 //! The command as a shell sees it: arguments, files, streams and exit codes.
+#![allow(
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::float_arithmetic,
+    clippy::format_push_string,
+    reason = "tests compare with floats, and print little"
+)]
 
 /// Where two recordings part.
 mod bisect;
-/// Files whose hashes are repaired after a change.
+/// Where two meshes touch.
 mod contacts;
+/// Files whose hashes are repaired after a change.
 mod container;
 /// Two states compared.
 mod diff;
