@@ -68,8 +68,8 @@ impl Seam {
         separation: i64,
     ) -> Contact {
         let [up_a, up_b] = self.radii;
-        let on_a = add(on_a, W::scale(self.normal.raw(), up_a));
-        let on_b = sub(on_b, W::scale(self.normal.raw(), up_b));
+        let ahead = |up: i64| if up == 0 { [0; 3] } else { W::scale(self.normal.raw(), up) };
+        let [on_a, on_b] = [add(on_a, ahead(up_a)), sub(on_b, ahead(up_b))];
         let [on_a, on_b] = [on_a, on_b].map(|point| Vec3::from_raw(add(self.origin, point)));
         Contact { features, on_a, on_b, separation: Real::from_raw(separation - up_a - up_b) }
     }
