@@ -11,7 +11,11 @@ foreign_targets=(
 )
 
 # The modules of tests/main.rs that run there; the first two take half of the time.
-foreign_tests=(golden math snapshot replay detector::golden partition::golden bvh::golden)
+foreign_tests=(
+    golden math snapshot replay detector::golden partition::golden bvh::golden
+    hull::golden manifold::golden query::golden reduction::golden surface::golden
+    toi::golden
+)
 
 # Optimised is what takes the time of the tests, the library and its hash: std and the other packages
 # are built in half the time without, and their generic code is compiled with the library anyway.

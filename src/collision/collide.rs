@@ -5,8 +5,9 @@ use alloc::vec::Vec;
 use super::{Manifold, Shape, collide_surface, manifold_convex_convex};
 use crate::math::Real;
 
-/// Adds the manifolds of two shapes that touch, or are at most `margin` apart: one of convex shapes,
-/// one for each patch of meshes and height fields, sorted by the features of their first contacts.
+/// Adds the manifolds of two shapes that touch, or are at most `margin` apart: one of convex
+/// shapes, one for each patch of meshes and height fields, sorted by the features of their first
+/// contacts.
 ///
 /// What they cost is said where each kind of pair is: [`manifold_convex_convex`],
 /// [`collide_surface`]. Two half-spaces have no manifold.

@@ -25,8 +25,8 @@
 //! | | half-space | sphere, capsule | box, hull, triangle | mesh, height field |
 //! |---|---|---|---|---|
 //! | half-space | | corners | corners | vertices |
-//! | sphere, capsule | corners | nearest points | nearest points; least overlap | nearest parts |
-//! | box, hull, triangle | corners | nearest points; least overlap | least overlap | nearest parts |
+//! | sphere, capsule | corners | nearest points | nearest or least overlap | nearest parts |
+//! | box, hull, triangle | corners | nearest or least overlap | least overlap | nearest parts |
 //! | mesh, height field | vertices | nearest parts | nearest parts | nearest parts |
 
 #![allow(

@@ -1,4 +1,5 @@
-//! What fits around hulls: contains them, deviates as it says, and is hardly larger than it must be.
+//! What fits around hulls: contains them, deviates as it says, and is hardly larger than it must
+//! be.
 
 use verlock::geometry::{
     ConvexHull, Fit, ShapeError, fit_capsule, fit_cuboid, fit_hull, fit_sphere,

@@ -76,7 +76,8 @@ fn round_hulls_stand_on_circles() {
     }
 }
 
-/// All corners are as far from the axis as they should be, across it, and each as far from the next.
+/// All corners are as far from the axis as they should be, across it, and each as far from the
+/// next.
 fn are_on_circle(corners: &[Vec3], axis: [Vec3; 2], radius: Real) {
     let way = sub(place(axis[1] - axis[0]), [0.0; 3]);
     let way = way.map(|c| c / length(way));

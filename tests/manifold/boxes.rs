@@ -111,7 +111,8 @@ fn crossed_edges_touch_in_one_point() {
     assert_eq!(contact.separation, real!("3.99") - real!("4"));
 }
 
-/// A plank half over the edge of a table, its far end lower: it is held by the edge, not by the end.
+/// A plank half over the edge of a table, its far end lower: it is held by the edge, not by the
+/// end.
 #[test]
 fn a_plank_tips_over_an_edge() {
     let table = upright(Vec3::ZERO, Vec3::from_ints(1, 1, 1));

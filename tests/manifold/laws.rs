@@ -84,7 +84,8 @@ fn moved_pairs_touch_likewise() {
     });
 }
 
-/// Whether two manifolds are equal, but for the choice between axes or points as good as each other.
+/// Whether two manifolds are equal, but for the choice between axes or points as good as each
+/// other.
 fn is_alike(one: &Manifold, other: &Manifold) -> bool {
     let apart = (one.separation() - other.separation()).raw().abs();
     assert!(apart < 1 << 11, "{one:?} {other:?}");

@@ -9,8 +9,8 @@ use super::draw::Draw;
 /// A tenth of a millimetre, raw: what a manifold may be wrong by.
 const TOLERANCE: i64 = 1_677;
 
-/// Shapes that overlap have a manifold, and only those have a depth; moved as far as it says they do
-/// not overlap; and moved together they have the same one. True if they touch.
+/// Shapes that overlap have a manifold, and only those have a depth; moved as far as it says they
+/// do not overlap; and moved together they have the same one. True if they touch.
 pub fn manifold(bytes: &[u8]) -> bool {
     let mut draw = Draw::new(bytes);
     let unit = [1 << 20, 1, 1 << 14, 1 << 24][draw.below(4)];

@@ -13,9 +13,9 @@ use crate::math::{Real, UnitVec3, Vec3};
 /// Where two boxes touch, or are at most `margin` apart; `None` where they are farther. O(1).
 ///
 /// The normal is the axis along which they overlap least, of the faces and of all pairs of edges
-/// (Gottschalk, Lin and Manocha, *`OBBTree`*, 1996); those of faces come first where they are nearly
-/// as good, A's before B's. Boxes may be sheared. Of boxes that are apart near corners only, the
-/// separation is less than the distance.
+/// (Gottschalk, Lin and Manocha, *`OBBTree`*, 1996); those of faces come first where they are
+/// nearly as good, A's before B's. Boxes may be sheared. Of boxes that are apart near corners only,
+/// the separation is less than the distance.
 ///
 /// A margin counts from 0 to 16,384 m.
 ///

@@ -16,10 +16,10 @@ use crate::math::{Real, UnitVec3, Vec3};
 /// Where two convex shapes touch, or are at most `margin` apart; `None` where they are farther, and
 /// of shapes that are not convex, or of two half-spaces.
 ///
-/// Where they are apart and one is round, or both are triangles, the normal is the direction between
-/// their nearest points; otherwise that of the axis along which they overlap least, of the faces and
-/// of all pairs of edges, faces first where it is nearly a tie. O(faces * vertices + edges^2) for
-/// hulls, less for most pairs.
+/// Where they are apart and one is round, or both are triangles, the normal is the direction
+/// between their nearest points; otherwise that of the axis along which they overlap least, of the
+/// faces and of all pairs of edges, faces first where it is nearly a tie. O(faces * vertices +
+/// edges^2) for hulls, less for most pairs.
 ///
 /// A margin counts from 0 to 16,384 m.
 #[must_use]

@@ -17,9 +17,10 @@ const LARGE: usize = 256;
 /// A hull around a hull, with at most `vertices_max` vertices: 4 or more.
 ///
 /// Edge after edge gives way to a point outside, each time where that is least far out (Sander et
-/// al., *Silhouette Clipping*, 2000: "progressive hulls"); then the vertices that are left are drawn
-/// in. Where no edge can give way, as with boxes, or if it is better, the [box](super::fit_cuboid)
-/// is taken, or of less than 8 vertices a tetrahedron around it, which is far too large.
+/// al., *Silhouette Clipping*, 2000: "progressive hulls"); then the vertices that are left are
+/// drawn in. Where no edge can give way, as with boxes, or if it is better, the
+/// [box](super::fit_cuboid) is taken, or of less than 8 vertices a tetrahedron around it, which is
+/// far too large.
 ///
 /// A hull of few enough vertices is its own fit. O(v^2) for v vertices at worst, usually far less.
 ///
@@ -52,7 +53,8 @@ fn measured(shape: ConvexHull, hull: &ConvexHull) -> Fit<ConvexHull> {
 
 /// The hull with edges replaced until no more vertices are left; `None` if that does not go on.
 fn collapsed(hull: &ConvexHull, vertices_max: usize) -> Option<ConvexHull> {
-    // At first how far out of its own faces a point is; of what is too much a third goes in a round.
+    // At first how far out of its own faces a point is; of what is too much a third goes in a
+    // round.
     let coarse = with_few(hull, vertices_max.max(LARGE), 3, |shape, faces, to| {
         let heights = faces.iter().map(|&face| shape.height(face as usize, to));
         Real::from_raw(heights.max().unwrap_or(0))

@@ -12,7 +12,7 @@
 //! let rod = ConvexHull::cylinder(ends, real!("0.1"), 12)?;
 //! let capsule = fit_capsule(&rod)?;
 //! assert!(capsule.shape.radius() < real!("0.11"));
-//! assert!(capsule.deviation < real!("0.05"));
+//! assert!(capsule.deviation < real!("0.1"));
 //! # Ok::<(), verlock::geometry::ShapeError>(())
 //! ```
 

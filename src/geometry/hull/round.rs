@@ -36,9 +36,9 @@ impl ConvexHull {
         Self::around(ideal)?.placed_at(corners.collect())
     }
 
-    /// The pyramid inside a cone, with its corners on the circle about the middle of its `base`, and
-    /// at the `apex`, in metres. Corners are numbered as for a [`cylinder`](Self::cylinder) from the
-    /// base to the apex, which comes last.
+    /// The pyramid inside a cone, with its corners on the circle about the middle of its `base`,
+    /// and at the `apex`, in metres. Corners are numbered as for a [`cylinder`](Self::cylinder)
+    /// from the base to the apex, which comes last.
     ///
     /// # Errors
     /// As for a [`cylinder`](Self::cylinder).

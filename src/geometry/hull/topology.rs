@@ -88,8 +88,8 @@ impl HullTopology {
         &self.edges
     }
 
-    /// The other ends of the edges of a vertex, at least 3, sorted; none if there is no such vertex.
-    /// O(1).
+    /// The other ends of the edges of a vertex, at least 3, sorted; none if there is no such
+    /// vertex. O(1).
     #[inline]
     #[must_use]
     pub fn neighbours(&self, vertex: u32) -> &[u32] {
