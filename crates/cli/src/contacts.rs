@@ -4,9 +4,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use serde_json::{Value, json};
-use verlock::collision::{
-    Contact, FeatureId, FeatureKind, Manifold, MeshShape, manifolds_mesh_mesh,
-};
+use verlock::collision::{Contact, Manifold, MeshShape, manifolds_mesh_mesh};
 use verlock::geometry::Surface;
 use verlock::math::UnitVec3;
 use verlock::world::{DrawSink, Shade};
@@ -15,13 +13,13 @@ use verlock::{Real, Vec3};
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::overlap::{mesh, picture};
-use crate::render::{self, View, size};
+use crate::mesh::{feature_name, length, mesh};
+use crate::render::Still;
 
 /// List where two meshes touch, and which way they part
 ///
 /// Manifolds: up to four contacts that share a normal, from A to B. A line for every contact: what
-/// of A touches what of B (v, e or f for a vertex, edge or face, counted from 0), how far they are
+/// of A touches what of B (vertices, edges and faces are counted from 0), how far they are
 /// apart along the normal in metres (negative where they overlap), the normal, the point on A and
 /// that on B. In JSON: "manifolds", with coordinates as text. Returns 0 whether or not there are
 /// any.
@@ -34,7 +32,7 @@ pub(crate) struct Contacts {
     b: PathBuf,
 
     /// What is farther apart than this does not touch, metres
-    #[arg(long, value_name = "M", value_parser = margin, default_value = "0.005")]
+    #[arg(long, value_name = "M", value_parser = length, default_value = "0.005")]
     margin: Real,
 
     /// Take faces for sheets without an inside
@@ -45,17 +43,8 @@ pub(crate) struct Contacts {
     #[arg(long)]
     json: bool,
 
-    /// Paint both meshes and the normals of all contacts: a .png
-    #[arg(long, value_name = "PNG")]
-    render: Option<PathBuf>,
-
-    /// Pixels of the picture
-    #[arg(long, value_name = "WxH", value_parser = size, default_value = "640x480")]
-    size: [u32; 2],
-
-    /// Where the camera stands
-    #[arg(long, value_enum, default_value_t)]
-    view: View,
+    #[command(flatten)]
+    still: Still,
 
     /// Overwrite the picture
     #[arg(long)]
@@ -64,7 +53,7 @@ pub(crate) struct Contacts {
 
 impl Contacts {
     pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
-        let target = picture(self.render.as_deref(), self.force, [&self.a, &self.b])?;
+        let target = self.still.target(self.force, &[&self.a, &self.b])?;
         let inputs = Input::read_two(&self.a, &self.b, limit)?;
         let shape = |input: &Input| -> Result<MeshShape, Failure> {
             let shape = MeshShape::new(mesh(input)?);
@@ -75,7 +64,7 @@ impl Contacts {
         manifolds_mesh_mesh(&shapes[0], &shapes[1], self.margin, &mut manifolds);
         if let Some(target) = target {
             let draw = |sink: &mut dyn DrawSink| draw(&shapes, &manifolds, sink);
-            target.write(&render::still(self.size, self.view, &draw)?, out)?;
+            self.still.paint(&target, &draw, out)?;
         }
         if self.json {
             let all: Vec<_> = manifolds.iter().map(told).collect();
@@ -86,31 +75,12 @@ impl Contacts {
             for Contact { features: [a, b], on_a, on_b, separation } in manifold.contacts() {
                 let [normal, on_a, on_b] =
                     [direction(manifold.normal), place(*on_a), place(*on_b)].map(|p| p.join(", "));
-                let (a, b) = (name(*a), name(*b));
-                writeln!(out, "{a} {b} {separation} ({normal}) ({on_a}) ({on_b})")?;
+                let [a, b] = [*a, *b].map(feature_name);
+                writeln!(out, "{a}, {b}: {separation} ({normal}) ({on_a}) ({on_b})")?;
             }
         }
         Ok(Exit::Fine)
     }
-}
-
-/// A length of 0 or more.
-fn margin(text: &str) -> Result<Real, String> {
-    match Real::parse(text) {
-        Ok(margin) if margin < Real::ZERO => Err("is below 0".into()),
-        Ok(margin) => Ok(margin),
-        Err(error) => Err(error.to_string()),
-    }
-}
-
-/// As in `v12`.
-fn name(feature: FeatureId) -> String {
-    let kind = match feature.kind() {
-        FeatureKind::Vertex => 'v',
-        FeatureKind::Edge => 'e',
-        FeatureKind::Face => 'f',
-    };
-    format!("{kind}{}", feature.index())
 }
 
 fn direction(UnitVec3 { x, y, z }: UnitVec3) -> [String; 3] {
@@ -125,7 +95,7 @@ fn told(manifold: &Manifold) -> Value {
     let contact = |contact: &Contact| {
         let Contact { features, on_a, on_b, separation } = *contact;
         json!({
-            "features": features.map(name),
+            "features": features.map(feature_name),
             "separation": separation.to_string(),
             "on_a": place(on_a),
             "on_b": place(on_b),

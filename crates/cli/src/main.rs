@@ -19,6 +19,7 @@ mod input;
 mod jobs;
 mod json;
 mod man;
+mod mesh;
 mod overlap;
 mod pipe;
 mod progress;

@@ -1,7 +1,7 @@
 //! `verlock overlap`: where two meshes intersect.
 
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use serde_json::{Value, json};
@@ -12,12 +12,11 @@ use verlock::geometry::{
 use verlock::partition::bvh::{Bvh, Precision};
 use verlock::world::{DrawSink, Shade};
 
-use crate::count::counted;
 use crate::exit::Exit;
-use crate::failure::{Failure, tell};
+use crate::failure::Failure;
 use crate::input::Input;
-use crate::render::{self, Format, View, size};
-use crate::target::Target;
+use crate::mesh::mesh;
+use crate::render::Still;
 
 /// List the faces of two meshes that intersect, and where
 ///
@@ -38,17 +37,8 @@ pub(crate) struct Overlap {
     #[arg(long)]
     json: bool,
 
-    /// Paint both meshes and where they intersect: a .png
-    #[arg(long, value_name = "PNG")]
-    render: Option<PathBuf>,
-
-    /// Pixels of the picture
-    #[arg(long, value_name = "WxH", value_parser = size, default_value = "640x480")]
-    size: [u32; 2],
-
-    /// Where the camera stands
-    #[arg(long, value_enum, default_value_t)]
-    view: View,
+    #[command(flatten)]
+    still: Still,
 
     /// Overwrite the picture
     #[arg(long)]
@@ -57,7 +47,7 @@ pub(crate) struct Overlap {
 
 impl Overlap {
     pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
-        let target = picture(self.render.as_deref(), self.force, [&self.a, &self.b])?;
+        let target = self.still.target(self.force, &[&self.a, &self.b])?;
         let inputs = Input::read_two(&self.a, &self.b, limit)?;
         let meshes = [mesh(&inputs[0])?, mesh(&inputs[1])?];
         let [tree_a, tree_b] = meshes.each_ref().map(|mesh| <Bvh>::new(Arc::clone(mesh)));
@@ -66,7 +56,7 @@ impl Overlap {
         let places = || pairs.iter().filter_map(|&faces| common(&meshes, faces));
         if let Some(target) = target {
             let draw = |sink: &mut dyn DrawSink| draw(&meshes, places(), sink);
-            target.write(&render::still(self.size, self.view, &draw)?, out)?;
+            self.still.paint(&target, &draw, out)?;
         }
         if self.json {
             write!(out, r#"{{"v":1,"pairs":"#)?;
@@ -87,27 +77,6 @@ impl Overlap {
     }
 }
 
-/// The file of a picture of meshes, which it must not overwrite.
-pub(crate) fn picture(
-    path: Option<&Path>,
-    force: bool,
-    meshes: [&PathBuf; 2],
-) -> Result<Option<Target>, Failure> {
-    let Some(path) = path else { return Ok(None) };
-    let target = Target::new(path.to_owned(), force)?;
-    if target.is_stdout() {
-        return Err(Failure::usage("stdout is for the list: name a file for the picture"));
-    }
-    if Format::of(path)? != Format::Png {
-        return Err(Failure::usage(format!("{}: is no .png", path.display())));
-    }
-    if meshes.iter().any(|mesh| target.is(mesh)) {
-        let path = path.display();
-        return Err(Failure::usage(format!("{path}: a mesh would be overwritten")));
-    }
-    Ok(Some(target))
-}
-
 /// Writes a JSON array item by item.
 fn list(out: &mut dyn Write, items: impl Iterator<Item = Value>) -> io::Result<()> {
     write!(out, "[")?;
@@ -125,17 +94,6 @@ fn decimals(intersection: &Intersection) -> Value {
         [x, y, z].map(|c| c.to_string())
     });
     points.collect()
-}
-
-/// The mesh of a file. Faces without an area are legal, but seldom meant.
-pub(crate) fn mesh(input: &Input) -> Result<Arc<TriangleMesh>, Failure> {
-    let mesh = input.mesh()?;
-    let degenerate: Vec<_> = mesh.degenerate_faces().collect();
-    if let Some(first) = degenerate.first() {
-        let count = counted(degenerate.len() as u64, "face");
-        tell(format_args!("{}: {count} without an area, the first is {first}", input.name()));
-    }
-    Ok(Arc::new(mesh))
 }
 
 /// What a face of the first mesh and one of the second have in common.

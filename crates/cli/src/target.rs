@@ -30,6 +30,16 @@ impl Target {
         Ok(target)
     }
 
+    /// As [`new`](Self::new); refuses also to overwrite files that were read.
+    pub(crate) fn beside(path: &Path, force: bool, read: &[&Path]) -> Result<Self, Failure> {
+        let target = Self::new(path.to_owned(), force)?;
+        if read.iter().any(|file| target.is(file)) {
+            let path = path.display();
+            return Err(Failure::usage(format!("{path}: a mesh would be overwritten")));
+        }
+        Ok(target)
+    }
+
     pub(crate) fn is_stdout(&self) -> bool {
         is_dash(&self.path)
     }

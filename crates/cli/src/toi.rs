@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use serde_json::{Value, json};
-use verlock::collision::{FeatureId, FeatureKind, MeshMotion, MeshShape};
+use verlock::collision::{MeshMotion, MeshShape};
 use verlock::geometry::sweep::Sweep;
 use verlock::math::Unit;
 use verlock::{Real, Vec3};
@@ -12,7 +12,8 @@ use verlock::{Real, Vec3};
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::overlap::mesh;
+use crate::mesh::{feature_name, length, mesh};
+use crate::render::point;
 
 /// Tell when a mesh that moves first touches another
 ///
@@ -32,11 +33,11 @@ pub(crate) struct Toi {
     b: PathBuf,
 
     /// How far A moves, in metres
-    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true)]
     motion: Vec3,
 
     /// Touch when they come so near, in metres
-    #[arg(long, value_name = "METRES", value_parser = gap, default_value = "0")]
+    #[arg(long, value_name = "METRES", value_parser = length, default_value = "0")]
     gap: Real,
 
     /// Print JSON
@@ -58,7 +59,7 @@ impl Toi {
         let found = moving.time_of_impact(&resting, &sweep);
         let time = found.as_ref().map(|found| decimal(found.time));
         let features = found.iter().flat_map(|found| &found.features);
-        let names = features.map(|features| features.map(name));
+        let names = features.map(|features| features.map(feature_name));
         if self.json {
             let features: Vec<Value> = names.map(|names| json!(names)).collect();
             let is_cut = found.as_ref().is_some_and(|found| found.is_cut);
@@ -74,20 +75,6 @@ impl Toi {
         }
         Ok(Exit::Fine)
     }
-}
-
-/// Three decimals between commas.
-fn vector(text: &str) -> Result<Vec3, String> {
-    let parts: Vec<_> = text.split(',').collect();
-    let &[x, y, z] = &parts[..] else { return Err("is not three decimals X,Y,Z".into()) };
-    let number = |text: &str| text.trim().parse::<Real>().map_err(|error| error.to_string());
-    Ok(Vec3::new(number(x)?, number(y)?, number(z)?))
-}
-
-/// A length of 0 or more.
-fn gap(text: &str) -> Result<Real, String> {
-    let gap: Real = text.parse().map_err(|error: verlock::math::DecimalError| error.to_string())?;
-    if gap < Real::ZERO { Err("is below 0".into()) } else { Ok(gap) }
 }
 
 /// The exact decimal of a number of 0 or more: at most 30 digits behind the point. The shortest one
@@ -106,14 +93,4 @@ fn decimal(number: Unit) -> String {
         rest &= mask;
     }
     digits
-}
-
-/// What a feature is called.
-fn name(feature: FeatureId) -> String {
-    let kind = match feature.kind() {
-        FeatureKind::Vertex => "vertex",
-        FeatureKind::Edge => "edge",
-        FeatureKind::Face => "face",
-    };
-    format!("{kind} {}", feature.index())
 }

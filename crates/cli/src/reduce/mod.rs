@@ -4,7 +4,7 @@ mod look;
 mod proxy;
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use serde_json::{Value, json};
@@ -19,8 +19,8 @@ use self::proxy::{Proxy, Wanted, text};
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::overlap::mesh;
-use crate::render::{self, Format, View, size};
+use crate::mesh::mesh;
+use crate::render::{Still, View};
 use crate::report::Report;
 use crate::target::Target;
 
@@ -42,17 +42,8 @@ pub(crate) struct Reduce {
     #[arg(short, long, value_name = "OBJ")]
     output: Option<PathBuf>,
 
-    /// Paint the mesh and, beside it, what stands in: a .png
-    #[arg(long, value_name = "PNG")]
-    render: Option<PathBuf>,
-
-    /// Pixels of the picture
-    #[arg(long, value_name = "WxH", value_parser = size, default_value = "640x480")]
-    size: [u32; 2],
-
-    /// Where the camera stands
-    #[arg(long, value_enum, default_value_t)]
-    view: View,
+    #[command(flatten)]
+    still: Still,
 
     /// Overwrite files
     #[arg(long)]
@@ -65,14 +56,17 @@ pub(crate) struct Reduce {
 
 impl Reduce {
     pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
-        let [picture, file] = [self.picture()?, self.file()?];
+        let picture = self.still.target(self.force, &[&self.mesh])?;
+        let file = self.file()?;
         let input = Input::read(&self.mesh, limit)?;
         let original = mesh(&input)?;
         let proxy = self.wanted.of(&original, &input)?;
         let report = report(&original, &proxy);
         if let Some(picture) = picture {
-            let draw = |sink: &mut dyn DrawSink| draw(&original, &proxy.look.mesh, self.view, sink);
-            picture.write(&render::still(self.size, self.view, &draw)?, out)?;
+            let draw = |sink: &mut dyn DrawSink| {
+                draw(&original, &proxy.look.mesh, self.still.view, sink);
+            };
+            self.still.paint(&picture, &draw, out)?;
         }
         if let Some(file) = file {
             let text = Obj::from(TriangleMesh::clone(&proxy.look.mesh)).to_string();
@@ -85,29 +79,9 @@ impl Reduce {
         Ok(Exit::Fine)
     }
 
-    fn picture(&self) -> Result<Option<Target>, Failure> {
-        let Some(path) = &self.render else { return Ok(None) };
-        let target = self.target(path)?;
-        if target.is_stdout() {
-            return Err(Failure::usage("stdout is for the report: name a file for the picture"));
-        }
-        if Format::of(path)? != Format::Png {
-            return Err(Failure::usage(format!("{}: is no .png", path.display())));
-        }
-        Ok(Some(target))
-    }
-
     fn file(&self) -> Result<Option<Target>, Failure> {
-        self.output.as_ref().map(|path| self.target(path)).transpose()
-    }
-
-    fn target(&self, path: &Path) -> Result<Target, Failure> {
-        let target = Target::new(path.into(), self.force)?;
-        if target.is(&self.mesh) {
-            let path = path.display();
-            return Err(Failure::usage(format!("{path}: the mesh would be overwritten")));
-        }
-        Ok(target)
+        let target = |path: &PathBuf| Target::beside(path, self.force, &[&self.mesh]);
+        self.output.as_ref().map(target).transpose()
     }
 }
 

@@ -19,26 +19,27 @@ mod picture;
 mod plane;
 mod reel;
 mod sheet;
+mod still;
 mod view;
 
 #[cfg(test)]
 mod laws;
 
-use std::io::{self, IsTerminal as _, Write, stdout};
+use std::io::{IsTerminal as _, Write, stdout};
 use std::path::PathBuf;
 
 use clap::builder::RangedU64ValueParser;
 use serde_json::json;
-use verlock::world::{Detail, DrawOptions, DrawSink};
+use verlock::world::{Detail, DrawOptions};
 use verlock::{Vec3, World};
 
 use self::bounds::Bounds;
 use self::camera::{Camera, Lens};
-pub(crate) use self::output::Format;
-use self::output::{Output, Written};
+use self::output::{Format, Output, Written};
 use self::painter::Style;
 use self::reel::Reel;
-pub(crate) use self::view::{View, size};
+pub(crate) use self::still::Still;
+pub(crate) use self::view::{View, point};
 
 use crate::exit::Exit;
 use crate::failure::{Failure, tell};
@@ -135,20 +136,6 @@ struct Parts {
     /// The number of every particle
     #[arg(long)]
     labels: bool,
-}
-
-/// The PNG of what is told to a sink.
-pub(crate) fn still(
-    size: [u32; 2],
-    view: View,
-    draw: &dyn Fn(&mut dyn DrawSink),
-) -> io::Result<Vec<u8>> {
-    let mut bounds = Bounds::default();
-    draw(&mut bounds);
-    bounds.end_frame();
-    let lens = Lens::new(size[0], size[1], 32);
-    let camera = Camera::fitted(view.direction(), bounds.corners(), lens);
-    Style { camera, size, bounds, grid: false }.paint("", draw).to_png()
 }
 
 impl Render {

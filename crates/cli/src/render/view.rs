@@ -31,7 +31,7 @@ impl View {
 }
 
 /// Pixels of a picture, `WxH`.
-pub(crate) fn size(text: &str) -> Result<[u32; 2], String> {
+pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
     let sides = text.split_once('x').and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
     let sides = sides.ok_or("two numbers with an x between them are expected: 640x480")?;
     if sides.iter().all(|side| (16..=4096).contains(side)) {
@@ -42,8 +42,8 @@ pub(crate) fn size(text: &str) -> Result<[u32; 2], String> {
 }
 
 /// A point of the world in metres, `X,Y,Z`.
-pub(super) fn point(text: &str) -> Result<Vec3, String> {
-    let mut numbers = text.split(',').map(Real::parse);
+pub(crate) fn point(text: &str) -> Result<Vec3, String> {
+    let mut numbers = text.split(',').map(|number| Real::parse(number.trim()));
     let mut next = || {
         let number = numbers.next().ok_or("three numbers are expected: 1,2.5,-3")?;
         number.map_err(|error| error.to_string())

@@ -21,9 +21,9 @@ fn contacts_are_listed() {
         sandbox.run(&command).expect(0)
     };
     let near = ["--two-sided", "--margin", "0.6"];
-    assert_eq!(contacts(&near).text(), "f0 v0 0.5 (0, 1, 0) (1, 0, 1) (1, 0.5, 1)\n");
+    assert_eq!(contacts(&near).text(), "face 0, vertex 0: 0.5 (0, 1, 0) (1, 0, 1) (1, 0.5, 1)\n");
     let contact = json!({
-        "features": ["f0", "v0"], "separation": "0.5", "on_a": ["1", "0", "1"],
+        "features": ["face 0", "vertex 0"], "separation": "0.5", "on_a": ["1", "0", "1"],
         "on_b": ["1", "0.5", "1"],
     });
     let manifold = json!({ "normal": ["0", "1", "0"], "contacts": [contact] });

@@ -107,7 +107,7 @@ fn both_meshes_are_painted() {
     sandbox.run(&[&command[..], &["--force"]].concat()).expect(0);
     assert_eq!(sandbox.read("both.png"), picture);
     let command = ["overlap", "floor.obj", "blade.obj", "--render", "-"];
-    sandbox.run(&command).expect(2).says("stdout is for the list");
+    sandbox.run(&command).expect(2).says("stdout is for text");
     for name in ["both.gif", "both.jpg", "both"] {
         let command = ["overlap", "floor.obj", "blade.obj", "--render", name];
         sandbox.run(&command).expect(2).says(&format!("{name}: "));

@@ -69,7 +69,7 @@ fn what_is_no_motion_is_refused() {
         let refused = sandbox.run(&command).expect(2);
         assert!(refused.stderr.contains("--motion"), "{}", refused.stderr);
     }
-    let command = ["toi", "tip.obj", "floor.obj", "--motion", "0,99999999999,0"];
+    let command = ["toi", "tip.obj", "floor.obj", "--motion", "0,68719476735,0"];
     sandbox.run(&command).expect(2).says("--motion: leads out of range");
     let command = ["toi", "tip.obj", "floor.obj", "--motion", "0,0,0", "--gap=-1"];
     assert!(sandbox.run(&command).expect(2).stderr.contains("is below 0"));
