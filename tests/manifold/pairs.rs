@@ -1,8 +1,8 @@
 //! Every pair of convex shapes, in random poses.
 
 use verlock::collision::{Shape, manifold_convex_convex};
-use verlock::math::Real;
-use verlock::real;
+use verlock::geometry::Capsule;
+use verlock::{Real, Vec3, real};
 
 use super::draw::{Draw, Kind, METRE, anchor, mapped, raw, twin};
 use super::{check, float, twin::gap};
@@ -42,6 +42,26 @@ fn agree(kinds: [Kind; 2], seed: u64, pairs: usize) {
     }
     assert!(strays <= 1 + pairs / 10_000, "{strays} contacts beside shapes");
     assert!(touching > pairs / 5 && touching < pairs, "{kinds:?}: {touching} of {pairs}");
+}
+
+/// Capsules side by side touch at both ends, but only where they are beside one another: seen from
+/// above these cross.
+#[test]
+fn crossing_capsules_touch_in_one_point() {
+    let capsule = |y: Real, z: Real| -> Shape {
+        let ends = [Vec3::new(real!("-1"), y, -z), Vec3::new(real!("1"), y, z)];
+        Capsule::new(ends, real!("0.125")).expect("in range").into()
+    };
+    let below = capsule(Real::ZERO, Real::ZERO);
+    for (z, contacts) in [("0", 2), ("0.003", 2), ("0.006", 1), ("0.02", 1), ("0.5", 1)] {
+        let above = capsule(real!("0.25"), Real::parse(z).expect("a number"));
+        let found = manifold_convex_convex(&below, &above, real!("0.01")).expect("they touch");
+        assert_eq!(found.contacts().len(), contacts, "{z}");
+        assert_eq!(found.separation(), Real::ZERO);
+        for contact in found.contacts() {
+            assert_eq!(contact.on_b - contact.on_a, Vec3::ZERO, "{z}");
+        }
+    }
 }
 
 fn for_kinds(mut law: impl FnMut([Kind; 2])) {

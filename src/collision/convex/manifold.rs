@@ -5,12 +5,14 @@ use super::manifold_cuboid_cuboid;
 use super::pair::Pair;
 use super::separate::{Owner, Verdict, separate};
 use super::solid::Solid;
-use crate::collision::patch::{Contacts, Seam, between, clip, keep_deepest, patch, reduce};
+use crate::collision::patch::{
+    Contacts, NEAR_SQ, Seam, TIE, between, clip, keep_deepest, patch, reduce,
+};
 use crate::collision::width::{Narrow, Wide, Width};
-use crate::collision::{FeatureId, Manifold, Shape};
+use crate::collision::{Contact, FeatureId, Manifold, Shape};
 use crate::geometry::{ClosestConvex, closest_convex};
 use crate::math::determinant::cross;
-use crate::math::wide::{dot_wide, sub};
+use crate::math::wide::{add, dot_wide, sub};
 use crate::math::{Real, UnitVec3, Vec3};
 
 /// Where two convex shapes touch, or are at most `margin` apart; `None` where they are farther, and
@@ -111,6 +113,9 @@ fn any_axis(a: &Solid, b: &Solid) -> UnitVec3 {
 
 /// Where two segments touch that are nearly parallel, with a sine below 1/32: at those ends that
 /// are beside the other one. None of others.
+///
+/// Seen along the normal the segments may cross: an end counts where it is so little to the side
+/// that the round surfaces are no farther apart there than along the normal, but for a tie.
 fn side_by_side<W: Width>(seam: &Seam, a: [[i64; 3]; 2], b: [[i64; 3]; 2]) -> Contacts {
     let mut contacts = Contacts::new();
     let [u, v] = [a, b].map(|[from, to]| UnitVec3::normalize(Vec3::from_raw(sub(to, from))));
@@ -122,33 +127,50 @@ fn side_by_side<W: Width>(seam: &Seam, a: [[i64; 3]; 2], b: [[i64; 3]; 2]) -> Co
     if !is_parallel {
         return contacts;
     }
-    let mut keep = |features: [FeatureId; 2], on: [[i64; 3]; 2]| {
-        let separation = W::round(W::along(seam.normal, sub(on[1], on[0])));
-        let contact = seam.contact::<W>(features, on, separation);
-        if contact.separation.raw() <= seam.margin {
+    // With radii of r together, s to the side makes surfaces s^2 / 2 r farther apart: a tie at most.
+    let aside_max = i128::from(2 * TIE) * i128::from(seam.radii[0] + seam.radii[1]);
+    let mut keep = |features: [FeatureId; 2], on: [[i64; 3]; 2], is_end_of_b: bool| {
+        let way = sub(on[1], on[0]);
+        let separation = W::round(W::along(seam.normal, way));
+        // Below 2^86.
+        let aside_sq = dot_wide(way, way) - i128::from(separation).pow(2);
+        if aside_sq > aside_max || separation - seam.radii[0] - seam.radii[1] > seam.margin {
+            return;
+        }
+        let contact = if is_end_of_b {
+            seam.above::<W>(features, on[1], separation)
+        } else {
+            let above = add(on[0], W::scale(seam.normal.raw(), separation));
+            seam.contact::<W>(features, [on[0], above], separation)
+        };
+        let is_far = |other: &Contact| {
+            let way = sub(other.on_a.raw(), contact.on_a.raw());
+            dot_wide(way, way) >= NEAR_SQ + aside_max
+        };
+        // Ends that are side by side touch once.
+        if contacts.iter().all(is_far) {
             contacts.push(contact);
         }
     };
     let edge = FeatureId::edge(0);
     for (end, at) in (0..).zip(b) {
-        if let Some((foot, _)) = foot::<W>(a, at) {
-            keep([edge, FeatureId::vertex(end)], [foot, at]);
+        if let Some(foot) = foot::<W>(a, at) {
+            keep([edge, FeatureId::vertex(end)], [foot, at], true);
         }
     }
     for (end, at) in (0..).zip(a) {
-        // Ends that are side by side touch once.
-        if let Some((foot, false)) = foot::<W>(b, at) {
-            keep([FeatureId::vertex(end), edge], [at, foot]);
+        if let Some(foot) = foot::<W>(b, at) {
+            keep([FeatureId::vertex(end), edge], [at, foot], false);
         }
     }
     contacts
 }
 
-/// The point of a segment beside another point, and whether it is an end.
-fn foot<W: Width>(ends: [[i64; 3]; 2], point: [i64; 3]) -> Option<([i64; 3], bool)> {
+/// The point of a segment beside another point.
+fn foot<W: Width>(ends: [[i64; 3]; 2], point: [i64; 3]) -> Option<[i64; 3]> {
     let way = sub(ends[1], ends[0]);
     // Below 2^86.
     let (along, whole) = (dot_wide(way, sub(point, ends[0])), dot_wide(way, way));
     let is_beside = 0 <= along && along <= whole && whole > 0;
-    is_beside.then(|| (between::<W>(ends, [-along, whole - along]), along == 0 || along == whole))
+    is_beside.then(|| between::<W>(ends, [-along, whole - along]))
 }

@@ -14,7 +14,7 @@ mod reduce;
 
 pub(super) use clip::{between, clip};
 pub(super) use outline::{Corner, Outline};
-pub(super) use reduce::reduce;
+pub(super) use reduce::{NEAR_SQ, reduce};
 
 use super::few::Few;
 use super::width::Width;

@@ -7,7 +7,7 @@ use crate::math::wide::{dot_wide, round_shift_wide, sub};
 use crate::math::{UnitVec3, Vec3};
 
 /// What is closer to the rest than this adds nothing, raw: 0.5 mm.
-const NEAR_SQ: i128 = 1 << 26;
+pub(in crate::collision) const NEAR_SQ: i128 = 1 << 26;
 
 /// At most four of some contacts: the deepest, the one farthest from it, the one that makes the
 /// largest triangle with both, and the one that adds most to that. Of equal ones the deeper, then
