@@ -21,14 +21,18 @@ impl<T: Copy, const N: usize> Few<T, N> {
 
     #[inline]
     pub(super) fn push(&mut self, item: T) {
-        let near = self.near.get_or_insert([item; N]);
-        if let Some(place) = near.get_mut(self.len) {
-            *place = item;
-            self.len += 1;
-            return;
+        match &mut self.near {
+            Some(near) if self.len < N => near[self.len] = item,
+            Some(_) => self.push_far(item),
+            None => self.near = Some([item; N]),
         }
+        self.len += 1;
+    }
+
+    #[cold]
+    fn push_far(&mut self, item: T) {
         if self.far.is_empty() {
-            self.far.extend_from_slice(near);
+            self.far.extend(self.near.iter().flatten());
         }
         self.far.push(item);
     }
@@ -38,10 +42,14 @@ impl<T, const N: usize> Deref for Few<T, N> {
     type Target = [T];
     #[inline]
     fn deref(&self) -> &[T] {
-        match &self.near {
-            Some(near) if self.far.is_empty() => &near[..self.len],
-            _ => &self.far,
-        }
+        self.near.as_ref().and_then(|near| near.get(..self.len)).unwrap_or(&self.far)
+    }
+}
+
+impl<T, const N: usize> From<[T; N]> for Few<T, N> {
+    #[inline]
+    fn from(items: [T; N]) -> Self {
+        Self { near: Some(items), len: N, far: Vec::new() }
     }
 }
 

@@ -24,10 +24,6 @@ pub struct Contact {
 pub struct Manifold {
     /// From A to B.
     pub normal: UnitVec3,
-    /// Which part of A touches: the face of a mesh or height field, 0 for other shapes.
-    pub part_a: u32,
-    /// Which part of B touches.
-    pub part_b: u32,
     contacts: [Contact; Self::CONTACTS_MAX],
     len: u8,
 }
@@ -39,7 +35,7 @@ impl Manifold {
     /// The manifold of some points, at least one and at most
     /// [`CONTACTS_MAX`](Self::CONTACTS_MAX), which it sorts. `None` of none.
     #[must_use]
-    pub(super) fn new(normal: UnitVec3, parts: [u32; 2], contacts: &[Contact]) -> Option<Self> {
+    pub(super) fn new(normal: UnitVec3, contacts: &[Contact]) -> Option<Self> {
         let mut all = [*contacts.first()?; Self::CONTACTS_MAX];
         debug_assert!(contacts.len() <= all.len(), "Manifold: more than four points");
         let (used, _) = all.split_at_mut_checked(contacts.len())?;
@@ -49,8 +45,7 @@ impl Manifold {
         all[contacts.len()..].fill(first);
         // At most 4.
         let len = contacts.len() as u8;
-        let [part_a, part_b] = parts;
-        Some(Self { normal, part_a, part_b, contacts: all, len })
+        Some(Self { normal, contacts: all, len })
     }
 
     /// The points, sorted by their features; at least one.
@@ -75,7 +70,6 @@ impl Manifold {
             Contact { features: [b, a], on_a: on_b, on_b: on_a, separation }
         };
         let mut flipped = Self { normal: -self.normal, ..*self };
-        (flipped.part_a, flipped.part_b) = (self.part_b, self.part_a);
         flipped.contacts = self.contacts.map(flip);
         flipped.contacts[..usize::from(self.len)].sort_unstable_by_key(|c| c.features);
         // What is unused repeats the first, so that equal manifolds are equal.

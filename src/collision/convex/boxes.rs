@@ -179,7 +179,7 @@ impl Posed {
         Outline {
             face: FeatureId::face((2 * axis + end) as u32),
             normal,
-            corners: corners.into_iter().collect(),
+            corners: corners.into(),
         }
     }
 }

@@ -31,5 +31,5 @@ pub(super) fn manifold_half_space(
             contacts.push(contact);
         }
     }
-    reduce(normal, [0; 2], &contacts)
+    reduce(normal, &contacts)
 }

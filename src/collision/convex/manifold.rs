@@ -97,7 +97,7 @@ fn along_nearest<W: Width>(
         _ => clip::<W>(seam, outlines.each_ref()),
     };
     keep_deepest(&mut contacts, deepest);
-    reduce(seam.normal, [0; 2], &contacts)
+    reduce(seam.normal, &contacts)
 }
 
 /// A direction for cores that meet without being solid: across the segment that is in it, if one

@@ -114,14 +114,14 @@ pub(super) fn patch<W: Width>(
         let seam = Seam { normal: nearest.normal, ..*seam };
         let contact = seam.nearest::<W>([a.face, b.face], &nearest);
         let is_near = contact.separation.raw() <= seam.margin;
-        return Manifold::new(seam.normal, [0; 2], is_near.then_some(contact).as_slice());
+        return Manifold::new(seam.normal, is_near.then_some(contact).as_slice());
     }
     if deepest <= 0 {
         // It may have slipped past a side.
         let deepest = seam.above::<W>([a.face, corner.name], corner.at, deepest);
         keep_deepest(&mut contacts, deepest);
     }
-    reduce(seam.normal, [0; 2], &contacts)
+    reduce(seam.normal, &contacts)
 }
 
 /// Adds the contact that is known to be the deepest, unless one is as deep; and leaves out what is

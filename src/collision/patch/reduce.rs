@@ -12,13 +12,9 @@ pub(in crate::collision) const NEAR_SQ: i128 = 1 << 26;
 /// At most four of some contacts: the deepest, the one farthest from it, the one that makes the
 /// largest triangle with both, and the one that adds most to that. Of equal ones the deeper, then
 /// the one with lower features.
-pub(in crate::collision) fn reduce(
-    normal: UnitVec3,
-    parts: [u32; 2],
-    contacts: &[Contact],
-) -> Option<Manifold> {
+pub(in crate::collision) fn reduce(normal: UnitVec3, contacts: &[Contact]) -> Option<Manifold> {
     if contacts.len() <= Manifold::CONTACTS_MAX {
-        return Manifold::new(normal, parts, contacts);
+        return Manifold::new(normal, contacts);
     }
     let first = deepest(contacts)?;
     let shadow = Shadow::new(normal);
@@ -36,7 +32,7 @@ pub(in crate::collision) fn reduce(
             }));
         }
     }
-    Manifold::new(normal, parts, &kept)
+    Manifold::new(normal, &kept)
 }
 
 /// Of those that are as deep as any, up to noise, the one with the lowest features.

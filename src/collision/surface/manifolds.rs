@@ -140,7 +140,7 @@ fn of_pairs<A: Surface, B: Surface>(
     manifolds(&found, out);
     for (normal, mut contacts) in tangle.parts {
         contacts.iter_mut().for_each(rename);
-        out.extend(reduce(normal, [0; 2], &contacts));
+        out.extend(reduce(normal, &contacts));
     }
     out[first..].sort_unstable_by_key(|manifold| manifold.contacts()[0].features);
 }

@@ -68,7 +68,7 @@ pub(super) fn manifolds(all: &[Proximity], out: &mut Vec<Manifold>) {
     let first = out.len();
     for (normal, contacts) in normals.into_iter().zip(members) {
         // Features are unique among all contacts of the pair: parts need no names.
-        out.extend(reduce(normal, [0; 2], &contacts));
+        out.extend(reduce(normal, &contacts));
     }
     out[first..].sort_unstable_by_key(|manifold| manifold.contacts()[0].features);
 }
