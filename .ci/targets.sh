@@ -10,6 +10,9 @@ foreign_targets=(
     wasm32-wasip1
 )
 
+# Bytes that WebAssembly begins with. Node 20 can crash when a memory grows while its collector runs.
+wasm_memory=$((2 << 30))
+
 # The modules of tests/main.rs that run there; `golden` also those of that name in other modules.
 foreign_tests=(golden math snapshot replay)
 
@@ -30,7 +33,8 @@ foreign_cargo() {
         CARGO_TARGET_WASM32_WASIP1_LINKER=wasm-ld-22 \
         CARGO_TARGET_WASM32_WASIP1_RUNNER="node --no-warnings $PWD/.ci/wasi.mjs" \
         CARGO_TARGET_WASM32_WASIP1_RUSTFLAGS="-Clink-self-contained=no -Lnative=$wasi \
-            -Clink-arg=$wasi/crt1-command.o -Clink-arg=-lc -Clink-arg=--unresolved-symbols=ignore-all" \
+            -Clink-arg=$wasi/crt1-command.o -Clink-arg=-lc -Clink-arg=--unresolved-symbols=ignore-all \
+            -Clink-arg=--initial-memory=$wasm_memory" \
         /usr/bin/cargo --config 'profile.dev.package."*".opt-level=0' \
         --config 'profile.dev.package.xxhash-rust.opt-level=2' "$@"
 }
