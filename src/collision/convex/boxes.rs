@@ -176,11 +176,7 @@ impl Posed {
         };
         let corners = [corner([0, 0], u), corner([1, 0], v), corner([1, 1], u), corner([0, 1], v)];
         let normal = if is_along { self.normals[axis] } else { -self.normals[axis] };
-        Outline {
-            face: FeatureId::face((2 * axis + end) as u32),
-            normal,
-            corners: corners.into(),
-        }
+        Outline { face: FeatureId::face((2 * axis + end) as u32), normal, corners: corners.into() }
     }
 }
 
