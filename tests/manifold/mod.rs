@@ -1,5 +1,6 @@
 mod boxes;
 mod draw;
+mod exact;
 mod golden;
 mod laws;
 mod pairs;

@@ -1,7 +1,7 @@
 //! Two boxes: separating axes, then clipping.
 
 use super::pair::Pair;
-use super::separate::length_max;
+use super::separate::product_max;
 use super::solid::box_edge;
 use crate::collision::patch::{Corner, Outline, patch, to_beat};
 use crate::collision::width::{Narrow, Wide, Width};
@@ -200,10 +200,9 @@ fn best_edges<W: Width>([a, b]: [&Posed; 2], way: [i64; 3], mut least: i64, marg
             let way_along = along(way);
             let of_a = magnitude(along(a.edges[NEXT[i]])) + magnitude(along(a.edges[LAST[i]]));
             let of_b = magnitude(along(b.edges[NEXT[j]])) + magnitude(along(b.edges[LAST[j]]));
-            // The separation times the length of the axis, which is at most the sum of its
-            // components: where they overlap most axes need no root.
+            // The separation times the length of the axis.
             let gap: i128 = (magnitude(way_along) - of_a - of_b).into();
-            if gap <= i128::from(least.min(0) - W::SLACK) * length_max(axis) {
+            if gap <= product_max::<W>(least, axis) {
                 continue;
             }
             let Some(normal) = W::normalize(cross) else { continue };

@@ -95,9 +95,7 @@ fn best_edges<W: Width>(a: &Solid, b: &Solid, mut least: i64) -> Option<Axis> {
             let axis = W::shorten(cross);
             let gap: i128 = W::along(axis, sub(of_b.from, of_a.from)).into();
             let gap = if is_against { -gap } else { gap };
-            // The separation times the length of the axis: see `best_edges` of boxes.
-            let bound = i128::from(least.min(0)) - i128::from(W::SLACK);
-            if gap <= bound * length_max(axis) {
+            if gap <= product_max::<W>(least, axis) {
                 continue;
             }
             let Some(normal) = W::normalize(cross) else { continue };
@@ -115,9 +113,14 @@ fn best_edges<W: Width>(a: &Solid, b: &Solid, mut least: i64) -> Option<Axis> {
     best
 }
 
-/// At least the length of a vector.
-pub(super) fn length_max(v: UnitVec3) -> i128 {
-    v.raw().iter().map(|c| i128::from(c.abs())).sum()
+/// What a separation times the length of its axis is above, if the separation is above `least`: so
+/// most axes need no root.
+#[inline]
+pub(super) fn product_max<W: Width>(least: i64, axis: UnitVec3) -> i128 {
+    let [x, y, z] = axis.raw().map(i64::abs);
+    let least = i128::from(least) - i128::from(W::SLACK);
+    // No length is above the sum of the components, or below the greatest.
+    least * i128::from(if least < 0 { x + y + z } else { x.max(y).max(z) })
 }
 
 /// The face at an edge that looks along a direction most, the first of equal ones.

@@ -111,16 +111,26 @@ impl Table {
     #[inline]
     pub(super) fn new<W: Width>(outline: &[Corner], up: UnitVec3, others: &[Corner]) -> Self {
         let sides = sides(outline.len());
-        let inwards: Few<_, 4> = (0..sides)
-            .map(|i| {
-                let (start, end) = (outline[i].at, outline[after(i, outline.len())].at);
-                (start, W::cross(up.raw(), sub(end, start)))
-            })
-            .collect();
+        let side = |i: usize| {
+            let (start, end) = (outline[i].at, outline[after(i, outline.len())].at);
+            (start, W::cross(up.raw(), sub(end, start)))
+        };
+        let volume = |&(start, inwards): &_, at| W::volume(inwards, sub(at, start));
         let mut volumes = Few::new();
-        for corner in others {
-            for &(start, inwards) in inwards.iter() {
-                volumes.push(W::volume(inwards, sub(corner.at, start)));
+        if let [a, b, c, d] = outline
+            && sub(b.at, a.at) == sub(c.at, d.at)
+        {
+            // Opposite sides are parallel: the volumes with both add up to that between them.
+            let halves = [0, 1].map(side);
+            let between = halves.map(|half| volume(&half, d.at));
+            for corner in others {
+                let [first, second] = halves.map(|half| volume(&half, corner.at));
+                volumes.extend([first, second, between[0] - first, between[1] - second]);
+            }
+        } else {
+            let all: Few<_, 4> = (0..sides).map(side).collect();
+            for corner in others {
+                volumes.extend(all.iter().map(|side| volume(side, corner.at)));
             }
         }
         Self { volumes, sides }
