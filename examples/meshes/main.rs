@@ -1,4 +1,5 @@
-//! Writes ten meshes as OBJ files: `cargo run --release --example meshes -- FOLDER [DETAIL]`.
+//! Writes ten meshes, and a second gear, as OBJ files:
+//! `cargo run --release --example meshes -- FOLDER [DETAIL]`.
 //!
 //! Detail 1 gives a few hundred faces each, detail 10 a hundred times as many.
 #![allow(
@@ -14,18 +15,23 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::{env, fs};
 
-use shapes::SHAPES;
+use shapes::{PINION, SHAPES};
 use verlock::scene::Obj;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = env::args_os().skip(1);
     let folder = PathBuf::from(arguments.next().ok_or("which folder?")?);
     let detail = match arguments.next() {
-        Some(detail) => detail.to_str().ok_or("detail is no number")?.parse()?,
+        Some(detail) => {
+            let detail = detail.to_str().and_then(|detail| detail.parse().ok());
+            detail
+                .filter(|detail| (1..=100).contains(detail))
+                .ok_or("DETAIL is a number, 1 to 100")?
+        }
         None => 3,
     };
     fs::create_dir_all(&folder)?;
-    for (name, shape) in SHAPES {
+    for (name, shape) in SHAPES.into_iter().chain([PINION]) {
         let mesh = shape(detail);
         println!("{name}: {} faces", mesh.faces().len());
         let text = format!("# {name}, detail {detail}\n{}", Obj::from(mesh));

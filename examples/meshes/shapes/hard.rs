@@ -8,11 +8,23 @@ use super::patches::Patches;
 
 /// A wheel of 16 teeth, 40 cm across and 8 cm thick, with a hole.
 pub fn gear(detail: u32) -> TriangleMesh {
+    wheel(detail, 0, 0)
+}
+
+/// The same wheel beside it, a quarter of a tooth further: tooth stands before gap, and 3 mm are
+/// missing until they touch.
+pub fn pinion(detail: u32) -> TriangleMesh {
+    wheel(detail, 1, raw_mm(371))
+}
+
+/// A gear wheel whose teeth are some quarters of a tooth further, and which stands `x` to the right.
+fn wheel(detail: u32, quarters: u32, x: i64) -> TriangleMesh {
     const TEETH: u32 = 16;
     // Root, flank, tip, flank: a quarter of a tooth each.
-    let around = TEETH * 4 * detail;
+    let tooth = 4 * detail;
+    let around = TEETH * tooth;
     let outer = |i: u32| {
-        let part = i64::from(i % (4 * detail));
+        let part = i64::from((i + tooth - quarters * detail) % tooth);
         let quarter = i64::from(detail);
         let rise = match part / quarter {
             0 => 0,
@@ -24,7 +36,7 @@ pub fn gear(detail: u32) -> TriangleMesh {
     };
     let at = |i: u32, radius: i64, y: i64| {
         let [c, s] = circle(i, around);
-        Vec3::from_raw([times(radius, c), y, times(radius, s)])
+        Vec3::from_raw([x + times(radius, c), y, times(radius, s)])
     };
     let (bore, half) = (raw_mm(60), raw_mm(40));
     let (out, up) = (4 * detail, 2 * detail);

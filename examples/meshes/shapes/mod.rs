@@ -26,6 +26,10 @@ pub const SHAPES: [(&str, Shape); 10] = [
     ("stairs", hard::stairs),
 ];
 
+/// What meshes with the gear, without being one of the ten: it stands beside it.
+#[allow(dead_code, reason = "not every program writes it")]
+pub const PINION: (&str, Shape) = ("pinion", hard::pinion);
+
 /// The shape of this name.
 #[allow(dead_code, reason = "not every program asks by name")]
 pub fn shape(name: &str, detail: u32) -> TriangleMesh {
