@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use verlock::SIM_VERSION;
 use verlock::replay::Replay;
 use verlock::snapshot::Snapshot;
@@ -35,6 +35,23 @@ pub(crate) struct Args {
     /// Refuse files that are longer
     #[arg(long, global = true, value_name = "BYTES", default_value_t = 2 << 30)]
     pub(crate) limit: u64,
+}
+
+impl Args {
+    /// What was typed. A number below 0 is the value of an option, which may refuse it, and no
+    /// option.
+    pub(crate) fn typed() -> Self {
+        let matches = with_numbers_below_0(Self::command()).get_matches();
+        Self::from_arg_matches(&matches).unwrap_or_else(|error| error.exit())
+    }
+}
+
+fn with_numbers_below_0(command: clap::Command) -> clap::Command {
+    let command = command.mut_args(|arg| {
+        let has_value = !arg.is_positional() && arg.get_action().takes_values();
+        if has_value { arg.allow_negative_numbers(true) } else { arg }
+    });
+    command.mut_subcommands(with_numbers_below_0)
 }
 
 const AFTER: &str = "\

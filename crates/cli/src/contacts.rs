@@ -13,7 +13,8 @@ use verlock::{Real, Vec3};
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::mesh::{feature_name, length, mesh};
+use crate::mesh::{feature_name, mesh};
+use crate::number::length;
 use crate::render::Still;
 
 /// List where two meshes touch, and which way they part
@@ -105,7 +106,8 @@ fn told(manifold: &Manifold) -> Value {
     json!({ "normal": direction(manifold.normal), "contacts": contacts })
 }
 
-/// Both meshes, the points on B, and from there a twelfth of the scene along the normals.
+/// Both meshes, the points on B, and from there arrows along the normals, a twelfth of the scene
+/// long.
 fn draw(shapes: &[MeshShape; 2], manifolds: &[Manifold], sink: &mut dyn DrawSink) {
     for (shape, shade) in shapes.iter().zip([Shade::Face, Shade::Collider]) {
         let faces = 0..u32::try_from(shape.mesh().faces().len()).unwrap_or(u32::MAX);
@@ -118,9 +120,23 @@ fn draw(shapes: &[MeshShape; 2], manifolds: &[Manifold], sink: &mut dyn DrawSink
         for contact in manifold.contacts() {
             // From 30 fraction bits to 24.
             let normal = Vec3::from_raw(manifold.normal.raw().map(|c| c >> 6));
-            let end = contact.on_b + normal * length;
-            sink.line([contact.on_b, end], Shade::Contact);
-            sink.point(contact.on_b, Shade::Contact);
+            arrow(contact.on_b, normal, length, sink);
         }
+    }
+}
+
+/// A point, a line from it, and a tip at the end of that.
+fn arrow(from: Vec3, normal: Vec3, length: Real, sink: &mut dyn DrawSink) {
+    let end = from + normal * length;
+    sink.point(from, Shade::Contact);
+    sink.line([from, end], Shade::Contact);
+    // Across the normal: from the axis that it is farthest from lying along.
+    let axes = [Vec3::X, Vec3::Y, Vec3::Z];
+    let least = (0..3).min_by_key(|&axis| normal.raw()[axis].abs()).unwrap_or(0);
+    let across = normal.cross(axes[least]).unwrap_or(Vec3::ZERO);
+    let upright = normal.cross(across).unwrap_or(Vec3::ZERO);
+    let part = |thirtieths: i64| Real::from_raw(length.raw() / 30 * thirtieths);
+    for side in [across, upright, -across, -upright] {
+        sink.line([end, end - normal * part(8) + side * part(3)], Shade::Contact);
     }
 }

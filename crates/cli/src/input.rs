@@ -8,7 +8,7 @@ use std::path::Path;
 use verlock::World;
 use verlock::geometry::TriangleMesh;
 use verlock::replay::{HashLog, Replay, Simulation as _};
-use verlock::scene::{Obj, Scene, SceneError};
+use verlock::scene::{Obj, Scene};
 use verlock::snapshot::{DecodeError, DecodeReason, Snapshot};
 
 use crate::failure::Failure;
@@ -35,7 +35,11 @@ enum Looks<'a> {
     Replay,
     Hashes(&'a str),
     Scene(&'a str),
-    /// A text, but neither of these.
+    /// A text that begins as OBJ files do.
+    Mesh,
+    /// A PNG or a GIF.
+    Picture,
+    /// A text, but none of these.
     Text,
     /// No text, from this offset on.
     Bytes(usize),
@@ -64,7 +68,7 @@ impl Input {
         }
         // Pipes and devices have no size, and a file may grow.
         if size.max(bytes.len() as u64) > limit {
-            return Err(Failure::unproven(name, format_args!("longer than --limit {limit}")));
+            return Err(Failure::unusable(name, format_args!("longer than --limit {limit}")));
         }
         if bytes.is_empty() {
             return Err(Failure::unusable(name, "is empty"));
@@ -102,7 +106,7 @@ impl Input {
                 text.parse().map(Kind::Hashes).map_err(|error| self.unproven(error))
             }
             Looks::Scene(_) => self.scene().map(|scene| Kind::Scene(Box::new(scene))),
-            Looks::Text | Looks::Bytes(_) => {
+            Looks::Mesh | Looks::Picture | Looks::Text | Looks::Bytes(_) => {
                 Err(self.other_kind("a snapshot, a replay, a scene or a hash log"))
             }
         }
@@ -116,12 +120,12 @@ impl Input {
         // Meshes lie beside the scene; those of a scene from stdin where the command runs.
         let folder = Path::new(&self.name).parent().unwrap_or(Path::new(""));
         let load = |name: &str| read_mesh(&folder.join(name));
-        Scene::parse_with(text, load).map_err(|error| self.refused(&error))
+        Scene::parse_with(text, load).map_err(|error| self.refused(error))
     }
 
     /// The world that a scene of this file starts with.
     pub(crate) fn world(&self, scene: &Scene) -> Result<World, Failure> {
-        scene.build().map_err(|error| self.refused(&error))
+        scene.build().map_err(|error| self.refused(error))
     }
 
     /// Reads the file as a replay.
@@ -134,10 +138,23 @@ impl Input {
 
     /// Reads the file as an OBJ mesh.
     pub(crate) fn mesh(&self) -> Result<TriangleMesh, Failure> {
+        let is_other = match self.look() {
+            Looks::Snapshot | Looks::Replay | Looks::Picture => true,
+            Looks::Hashes(text) => text.parse::<HashLog>().is_ok_and(|log| log.span().is_some()),
+            Looks::Scene(text) => {
+                let mut lines = text.lines().map(str::trim);
+                lines.any(|line| line.starts_with('(') || line.starts_with("#!["))
+            }
+            Looks::Bytes(_) => self.is_utf_16(),
+            Looks::Mesh | Looks::Text => false,
+        };
+        if is_other {
+            return Err(self.other_kind("an OBJ mesh"));
+        }
         let text = str::from_utf8(&self.bytes).map_err(|error| {
-            self.unproven(format_args!("offset {}: not UTF-8", error.valid_up_to()))
+            self.refused(format_args!("offset {}: not UTF-8", error.valid_up_to()))
         })?;
-        Ok(Obj::parse(text).map_err(|error| self.unproven(error))?.into_mesh())
+        Ok(Obj::parse(text).map_err(|error| self.refused(error))?.into_mesh())
     }
 
     /// This file is of another kind than is wanted.
@@ -147,6 +164,8 @@ impl Input {
             Looks::Replay => "a replay".into(),
             Looks::Hashes(_) => "a hash log".into(),
             Looks::Scene(_) => "a text, as scenes are".into(),
+            Looks::Mesh => "an OBJ mesh, which `reduce --render` paints".into(),
+            Looks::Picture => "a picture".into(),
             Looks::Text => "a text, but neither a scene nor a hash log".into(),
             Looks::Bytes(_) if self.is_utf_16() => "UTF-16, and texts are read as UTF-8".into(),
             Looks::Bytes(offset) => format!("of no known kind, and not UTF-8 at offset {offset}"),
@@ -163,6 +182,9 @@ impl Input {
         if bytes.starts_with(&Replay::MAGIC) {
             return Looks::Replay;
         }
+        if bytes.starts_with(b"\x89PNG") || bytes.starts_with(b"GIF8") {
+            return Looks::Picture;
+        }
         let text = match str::from_utf8(bytes) {
             Ok(text) => text.strip_prefix('\u{feff}').unwrap_or(text),
             Err(error) => return Looks::Bytes(error.valid_up_to()),
@@ -172,6 +194,11 @@ impl Input {
         let is_hashes = filled()
             .find(|line| !line.starts_with('#'))
             .is_none_or(|line| line.starts_with(|c: char| c.is_ascii_digit()));
+        let statement = filled().find(|line| !line.starts_with('#'));
+        let word = statement.and_then(|line| line.split_whitespace().next());
+        if word.is_some_and(|word| STATEMENTS.contains(&word)) {
+            return Looks::Mesh;
+        }
         let comment = filled().next().filter(|line| line.starts_with('#'));
         match comment {
             Some(line) if line.starts_with("#![") => Looks::Scene(text),
@@ -186,8 +213,8 @@ impl Input {
         self.bytes.starts_with(&[0xff, 0xfe]) || self.bytes.starts_with(&[0xfe, 0xff])
     }
 
-    /// The scene in this file cannot be had, and says why.
-    fn refused(&self, error: &SceneError) -> Failure {
+    /// What is in this file cannot be had, and says why.
+    pub(crate) fn refused(&self, error: impl Display) -> Failure {
         Failure::unusable(&self.name, error)
     }
 
@@ -210,6 +237,9 @@ impl Input {
         Failure::unproven(&self.name, why)
     }
 }
+
+/// What an OBJ file begins with, but for comments.
+const STATEMENTS: [&str; 9] = ["v", "vn", "vt", "f", "g", "o", "s", "mtllib", "usemtl"];
 
 /// The longest mesh file that is read, in bytes.
 const MESH_MAX: u64 = 256 << 20;

@@ -20,6 +20,7 @@ mod jobs;
 mod json;
 mod man;
 mod mesh;
+mod number;
 mod overlap;
 mod pipe;
 mod progress;
@@ -41,14 +42,12 @@ mod damage;
 use std::io::{BufWriter, Write as _};
 use std::process::ExitCode;
 
-use clap::Parser as _;
-
 use crate::args::Args;
 use crate::failure::Failure;
 use crate::pipe::Pipe;
 
 fn main() -> ExitCode {
-    let Args { command, limit } = Args::parse();
+    let Args { command, limit } = Args::typed();
     let mut out = BufWriter::new(Pipe::stdout());
     let result = command.execute(limit, &mut out);
     // What was found before a failure is data all the same.

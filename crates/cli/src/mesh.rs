@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use verlock::Real;
 use verlock::collision::{FeatureId, FeatureKind};
 use verlock::geometry::TriangleMesh;
 
@@ -30,13 +29,4 @@ pub(crate) fn feature_name(feature: FeatureId) -> String {
         FeatureKind::Face => "face",
     };
     format!("{kind} {}", feature.index())
-}
-
-/// A length of 0 or more, in metres.
-pub(crate) fn length(text: &str) -> Result<Real, String> {
-    match Real::parse(text) {
-        Ok(length) if length < Real::ZERO => Err("is below 0".into()),
-        Ok(length) => Ok(length),
-        Err(error) => Err(error.to_string()),
-    }
 }

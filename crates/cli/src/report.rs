@@ -27,7 +27,8 @@ impl Report {
         if json {
             return writeln!(out, "{:#}", Value::Object(self.0));
         }
-        for (name, value) in &self.0 {
+        // The version of the form is for programs.
+        for (name, value) in self.0.iter().filter(|(name, _)| *name != "v") {
             match value {
                 Value::Array(rows) => {
                     rows.iter().try_for_each(|row| writeln!(out, "{name} {}", line(row)))?;

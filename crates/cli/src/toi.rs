@@ -4,26 +4,28 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use serde_json::{Value, json};
-use verlock::collision::{MeshMotion, MeshShape};
+use verlock::collision::{MeshMotion, MeshShape, TimeOfImpact};
 use verlock::geometry::sweep::Sweep;
 use verlock::math::Unit;
 use verlock::{Real, Vec3};
 
+use crate::count::counted;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::mesh::{feature_name, length, mesh};
+use crate::mesh::{feature_name, mesh};
+use crate::number::length;
 use crate::render::point;
 
 /// Tell when a mesh that moves first touches another
 ///
 /// A moves, B does not. The time is a fraction of the motion, and never late: before it they do not
 /// touch. It is the time of the first contact, rounded down to 2^-30 of the motion, but for
-/// contacts too near to a miss to be told from one, which count. Prints the time, then a line for
-/// each pair that touches: of A and of B, counted from 0 in the order of the files, edges in the
-/// order of their vertices; or `none`. In JSON: "hit", "t" as an exact decimal in a text, or null,
-/// "features", and "cut" where the search was given up and the time may be much too early. Returns
-/// 0 whether or not they touch.
+/// contacts too near to a miss to be told from one, which count, and where the search was cut short
+/// after much work: that is said, and the time may be too early. Prints the time, then a line for
+/// each pair that touches, up to 12: of A and of B, counted from 0 in the order of the files, edges
+/// in the order of their vertices; or `none`. In JSON: "hit", "t" as an exact decimal in a text, or
+/// null, all "features", and "cut". Returns 0 whether or not they touch.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Toi {
     /// Mesh A, an OBJ file
@@ -44,6 +46,9 @@ pub(crate) struct Toi {
     #[arg(long)]
     json: bool,
 }
+
+/// How many pairs are listed for people: two flat sides touch in hundreds.
+const LISTED: usize = 12;
 
 impl Toi {
     pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
@@ -68,12 +73,26 @@ impl Toi {
             });
             writeln!(out, "{found}")?;
         } else {
-            writeln!(out, "{}", time.as_deref().unwrap_or("none"))?;
-            for [a, b] in names {
+            let time = time.as_deref().unwrap_or("none");
+            writeln!(out, "{time}{}", found.as_ref().map_or("", remark))?;
+            for [a, b] in names.take(LISTED) {
                 writeln!(out, "{a}, {b}")?;
+            }
+            let touching = found.as_ref().map_or(0, |found| found.features.len());
+            if touching > LISTED {
+                writeln!(out, "and {}", counted((touching - LISTED) as u64, "more pair"))?;
             }
         }
         Ok(Exit::Fine)
+    }
+}
+
+/// What must be said of a time.
+fn remark(found: &TimeOfImpact) -> &'static str {
+    match found {
+        TimeOfImpact { is_cut: true, .. } => " or later: the search was cut short",
+        TimeOfImpact { time: Unit::ZERO, .. } => ": they touch at the start",
+        _ => "",
     }
 }
 

@@ -17,8 +17,8 @@ use verlock::{Real, Vec3};
 use self::look::Look;
 use self::proxy::{Proxy, Wanted, text};
 use crate::exit::Exit;
-use crate::failure::Failure;
-use crate::input::Input;
+use crate::failure::{Failure, tell};
+use crate::input::{Input, is_dash};
 use crate::mesh::mesh;
 use crate::render::{Still, View};
 use crate::report::Report;
@@ -27,9 +27,12 @@ use crate::target::Target;
 /// Make something simpler that stands in for a mesh, and tell how far off it is
 ///
 /// Prints what it is, and its deviation: no point of either surface is farther from the other one,
-/// in metres. Then both directions apart, with a lower bound too, and a point that is so far away.
-/// Hulls, spheres, capsules and boxes contain the mesh; `beyond_hull` says how far they reach
-/// beyond its convex hull. Such as are round are measured as 64 sides, within 1/256 of the radius.
+/// in metres, and some point is `deviation_at_least` as far. Then both directions apart, within
+/// `at_least` and `at_most`, with a point of the surface that is so far away: `of_mesh` from the
+/// mesh to what stands in, `of_proxy` from that to the mesh. Hulls, spheres, capsules and boxes
+/// contain the mesh; `beyond_hull` says how far they reach beyond its convex hull. Such as are
+/// round are measured as 64 sides, within 1/256 of the radius. In a picture A is the mesh and B
+/// what stands in. With `-o -` all this goes to stderr.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Reduce {
     /// An OBJ file
@@ -72,6 +75,8 @@ impl Reduce {
             let text = Obj::from(TriangleMesh::clone(&proxy.look.mesh)).to_string();
             file.write(text.as_bytes(), out)?;
             if file.is_stdout() {
+                // What is told of a mesh must not mix with it.
+                report.print(self.json, &mut anstream::stderr())?;
                 return Ok(Exit::Fine);
             }
         }
@@ -80,8 +85,13 @@ impl Reduce {
     }
 
     fn file(&self) -> Result<Option<Target>, Failure> {
-        let target = |path: &PathBuf| Target::beside(path, self.force, &[&self.mesh]);
-        self.output.as_ref().map(target).transpose()
+        let Some(path) = &self.output else { return Ok(None) };
+        let is_obj =
+            path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
+        if !is_obj && !is_dash(path) {
+            return Err(Failure::usage(format!("{}: is no .obj", path.display())));
+        }
+        Target::beside(path, self.force, &[&self.mesh]).map(Some)
     }
 }
 
@@ -102,7 +112,18 @@ fn report(original: &Arc<TriangleMesh>, proxy: &Proxy) -> Report {
         report.add("faces", mesh.faces().len());
         report.add("vertices", mesh.vertices().len());
     }
-    report.add("deviation", (deviation.at_most() + *rough).to_string());
+    let at_most = deviation.at_most() + *rough;
+    let both = [deviation.of_original, deviation.of_proxy].map(|side| side.at_least);
+    let at_least = (both[0].max(both[1]) - *rough).max(Real::ZERO);
+    report.add("deviation", at_most.to_string());
+    report.add("deviation_at_least", at_least.to_string());
+    // Neither of what is as good as exact, nor of hairs.
+    let bounds = Aabb::around(original.vertices().iter().copied());
+    let hair = bounds.map_or(0, |bounds| bounds.span() >> 12);
+    let slack = at_most - at_least;
+    if slack.raw().unsigned_abs() > hair && slack.raw() > at_most.raw() / 4 {
+        tell(format_args!("deviation {at_most} is not tight: it may be as small as {at_least}"));
+    }
     report.add("of_mesh", farthest(&deviation.of_original, *rough));
     report.add("of_proxy", farthest(&deviation.of_proxy, *rough));
     report

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use clap::{ValueEnum, value_parser};
+use clap::ValueEnum;
 use serde_json::{Value, json};
 use verlock::geometry::{
     ConvexHull, Fit, ShapeError, TriangleMesh, fit_capsule, fit_cuboid, fit_hull, fit_sphere,
@@ -13,17 +13,18 @@ use super::look::{Look, of_box, of_hull, round};
 use crate::count::counted;
 use crate::failure::{Failure, tell};
 use crate::input::Input;
+use crate::number::count_from;
 
 /// What is wanted.
 #[derive(Clone, Copy, Debug, clap::Args)]
 #[group(required = true, multiple = false)]
 pub(super) struct Wanted {
     /// A mesh of so many triangles, or as few as it can have
-    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", value_parser = count_from::<1>)]
     triangles: Option<u32>,
 
     /// A convex hull around it with so many vertices
-    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(4..))]
+    #[arg(long, value_name = "N", value_parser = count_from::<4>)]
     hull: Option<u32>,
 
     /// A simple shape around it
@@ -55,13 +56,16 @@ impl Wanted {
         if let Some(triangles) = triangles {
             return fewer(original, triangles as usize, input);
         }
-        let refused = |error: ShapeError| input.unproven(error);
+        let refused = |error: ShapeError| input.refused(error);
         let around = ConvexHull::around(original.vertices().iter().copied()).map_err(refused)?;
         let proxy = match (hull, fit) {
             (Some(vertices), _) => fit_hull(&around, vertices).map(|fit| hull_proxy(&fit)),
             (None, Some(Simple::Capsule)) => {
                 fit_capsule(&around).map(|Fit { shape, deviation }| {
                     let ends = shape.ends();
+                    if ends[0] == ends[1] {
+                        tell("the smallest capsule around it is a sphere");
+                    }
                     let numbers =
                         json!({ "ends": ends.map(text), "radius": number(shape.radius()) });
                     proxy("capsule", round(ends, shape.radius()), deviation, numbers)
@@ -86,7 +90,11 @@ impl Wanted {
 
 /// The mesh with fewer faces.
 fn fewer(original: &TriangleMesh, triangles: usize, input: &Input) -> Result<Proxy, Failure> {
-    let mesh = original.decimated(triangles).map_err(|error| input.unproven(error))?;
+    let mesh = original.decimated(triangles).map_err(|error| input.refused(error))?;
+    if original.faces().len() <= triangles {
+        let count = counted(original.faces().len() as u64, "triangle");
+        tell(format_args!("{}: has {count} already", input.name()));
+    }
     if mesh.faces().len() > triangles {
         let least = counted(mesh.faces().len() as u64, "triangle");
         tell(format_args!("{least}: with fewer, parts or holes would be lost"));

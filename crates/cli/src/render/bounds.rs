@@ -81,6 +81,30 @@ impl Bounds {
     }
 }
 
+/// All eight corners of a box.
+pub(super) fn all_corners(box_corners: [[i64; 3]; 2]) -> [[i64; 3]; 8] {
+    [0, 1, 2, 3, 4, 5, 6, 7]
+        .map(|corner: usize| [0, 1, 2].map(|axis| box_corners[(corner >> axis) & 1][axis]))
+}
+
+/// All points drawn.
+#[derive(Debug, Default)]
+pub(super) struct Points(pub(super) Vec<[i64; 3]>);
+
+impl DrawSink for Points {
+    fn triangle(&mut self, corners: [Vec3; 3], _: Shade) {
+        self.0.extend(corners.map(Vec3::raw));
+    }
+
+    fn line(&mut self, ends: [Vec3; 2], _: Shade) {
+        self.0.extend(ends.map(Vec3::raw));
+    }
+
+    fn point(&mut self, at: Vec3, _: Shade) {
+        self.0.push(at.raw());
+    }
+}
+
 /// The longest edge of a box.
 pub(super) fn longest([low, high]: [[i64; 3]; 2]) -> i64 {
     [0, 1, 2].map(|axis| high[axis] - low[axis]).into_iter().fold(0, i64::max)

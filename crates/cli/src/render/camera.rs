@@ -78,32 +78,49 @@ impl Camera {
         Some(Self::new(eye.raw().map(i128::from), axes, back.length().raw().into(), lens))
     }
 
-    /// Looking from a direction, as near as a box allows that is to be seen as a whole.
+    /// Looking from a direction, as near as points allow that are to be seen, at least one of them,
+    /// with all of them in the middle of the picture. O(points).
     ///
     /// All `|x - ex| focal <= half (ez - z)` hold, with x along right and z backwards, if and only
     /// if `ex focal + half ez >= max(x focal + half z)` and the same with -x. The nearest eye makes
-    /// both equal; the axis that needs it farther away decides.
-    pub(super) fn fitted(from: UnitVec3, corners: [[i64; 3]; 2], lens: Lens) -> Self {
+    /// both equal; the axis that needs it farther away decides. From there the other one fills less
+    /// than its half of the picture: both are equal for the half that it does fill.
+    pub(super) fn fitted(from: UnitVec3, points: &[[i64; 3]], lens: Lens) -> Self {
         let axes = axes(from);
-        let middle = [0, 1, 2].map(|axis| (corners[0][axis] + corners[1][axis]) >> 1);
+        let middle = [0, 1, 2].map(|axis| {
+            let places = points.iter().map(|point| point[axis]);
+            let ends = places.clone().min().zip(places.max());
+            ends.map_or(0, |(low, high)| (low + high) >> 1)
+        });
         let focal = i128::from(lens.focal);
         let half = lens.half.map(|half| i128::from(half) * FIT[0] / FIT[1]);
-        let mut reach = [[i128::MIN; 2]; 2];
-        for corner in 0..8usize {
-            let point = [0, 1, 2].map(|axis| corners[(corner >> axis) & 1][axis]);
+        let views = points.iter().map(|point| {
             let offset = [0, 1, 2].map(|axis| i128::from(point[axis] - middle[axis]));
-            let [x, y, ahead] = axes.map(|axis| along(axis, offset, 30));
-            for (reach, (side, half)) in reach.iter_mut().zip([(x, half[0]), (y, half[1])]) {
-                // 22 + 63 bits.
-                reach[0] = reach[0].max(side * focal - half * ahead);
-                reach[1] = reach[1].max(-side * focal - half * ahead);
+            axes.map(|axis| along(axis, offset, 30))
+        });
+        let views: Vec<_> = views.collect();
+        // 22 + 63 bits.
+        let reach = |axis: usize, half: i128| {
+            [focal, -focal].map(|focal| {
+                let reaches = views.iter().map(|view| view[axis] * focal - half * view[2]);
+                reaches.fold(i128::MIN, i128::max)
+            })
+        };
+        let away = |axis: usize, half: i128| reach(axis, half).iter().sum::<i128>() / (2 * half);
+        let distance = away(0, half[0]).max(away(1, half[1])).max(1);
+        let centre = |axis: usize| {
+            // The less is to be filled, the farther away the eye.
+            let [mut low, mut high] = [1, half[axis]];
+            while low < high {
+                let half = i128::midpoint(low, high);
+                if away(axis, half) <= distance { high = half } else { low = half + 1 }
             }
-        }
-        let [x, y] = reach.map(|reach| (reach[0] - reach[1]) / (2 * focal));
-        let away = |axis: usize| (reach[axis][0] + reach[axis][1]) / (2 * half[axis]);
-        let distance = away(0).max(away(1)).max(1);
+            let [right, left] = reach(axis, high);
+            (right - left) / (2 * focal)
+        };
+        let way = [centre(0), centre(1), -distance];
         let eye = [0, 1, 2].map(|axis| {
-            let way = [x, y, -distance].into_iter().zip(axes).map(|(w, a)| w * i128::from(a[axis]));
+            let way = way.into_iter().zip(axes).map(|(w, a)| w * i128::from(a[axis]));
             i128::from(middle[axis]) + round_shift_wide(way.sum(), 30)
         });
         Self::new(eye, axes, distance, lens)

@@ -1,7 +1,7 @@
 //! A few characters, as strokes.
 
 use super::canvas::{Canvas, PIXEL, Spot, TOP};
-use super::colour::TEXT;
+use super::colour::Rgb;
 
 /// Characters are this high, in units of their own.
 const HEIGHT: i64 = 10;
@@ -26,6 +26,8 @@ fn strokes(character: char) -> &'static str {
         'i' => "141A 1112",
         'c' => "5544240608 2A4A59 082A",
         'k' => "000A 5408 265A",
+        'A' => "0A306A 1757",
+        'B' => "0A004062634505 4567684A0A",
         _ => "",
     }
 }
@@ -39,8 +41,15 @@ fn advance(character: char) -> i64 {
     }
 }
 
-/// Writes a text over everything, from its lower left corner, `height` screen units high.
-pub(super) fn write(canvas: &mut Canvas, text: &str, left: i64, bottom: i64, height: i64) {
+/// Writes a text over everything, from its lower left corner, `height` screen units high; returns
+/// where the next one begins.
+pub(super) fn write(
+    canvas: &mut Canvas,
+    text: &str,
+    [left, bottom]: [i64; 2],
+    height: i64,
+    colour: Rgb,
+) -> i64 {
     let mut start = 0;
     for character in text.chars() {
         for stroke in strokes(character).split(' ') {
@@ -54,8 +63,9 @@ pub(super) fn write(canvas: &mut Canvas, text: &str, left: i64, bottom: i64, hei
             };
             let spots: Vec<_> = stroke.as_bytes().chunks_exact(2).map(place).collect();
             let width = (height / 8).max(PIXEL);
-            spots.windows(2).for_each(|ends| canvas.line(ends[0], ends[1], width, TEXT));
+            spots.windows(2).for_each(|ends| canvas.line(ends[0], ends[1], width, colour));
         }
         start += advance(character);
     }
+    left + start * height / HEIGHT
 }

@@ -33,8 +33,9 @@ use serde_json::json;
 use verlock::world::{Detail, DrawOptions};
 use verlock::{Vec3, World};
 
-use self::bounds::Bounds;
+use self::bounds::{Bounds, all_corners};
 use self::camera::{Camera, Lens};
+use self::colour::TEXT;
 use self::output::{Format, Output, Written};
 use self::painter::Style;
 use self::reel::Reel;
@@ -163,7 +164,7 @@ impl Render {
         let style = Style { camera, size: self.size, bounds, grid };
         reel.play(&progress, |world: &World| {
             let caption = format!("tick {}", world.tick());
-            let picture = style.paint(&caption, &|sink| world.draw(sink, options));
+            let picture = style.paint(&[(&caption, TEXT)], &|sink| world.draw(sink, options));
             output.push(world, picture, out)
         })?;
         drop(progress);
@@ -210,7 +211,8 @@ impl Render {
     fn camera(&self, bounds: &Bounds) -> Result<Camera, Failure> {
         let lens = Lens::new(self.size[0], self.size[1], self.fov);
         let Some(eye) = self.camera else {
-            return Ok(Camera::fitted(self.view.direction(), bounds.grounded_corners(), lens));
+            let corners = all_corners(bounds.grounded_corners());
+            return Ok(Camera::fitted(self.view.direction(), &corners, lens));
         };
         let target = self.target.unwrap_or(Vec3::from_raw(bounds.middle()));
         let camera = Camera::looking(eye, target, lens);

@@ -9,7 +9,7 @@ use super::bounds::Bounds;
 use super::camera::Camera;
 use super::canvas::{Canvas, PIXEL, Spot};
 use super::clip::Frustum;
-use super::colour::{self, BACKGROUND, GRID, Rgb, SHADOW, WHOLE};
+use super::colour::{self, BACKGROUND, GRID, Rgb, SHADOW, TEXT, WHOLE};
 use super::font;
 use super::picture::Picture;
 use super::plane::{Grid, Plane, planes};
@@ -25,6 +25,7 @@ const GRID_LIFT: i64 = -64;
 const SHADOW_LIFT: i64 = -68;
 
 const LINE_WIDTH: i64 = PIXEL * 5 / 4;
+const CONTACT_WIDTH: i64 = PIXEL * 9 / 4;
 const EDGE_WIDTH: i64 = PIXEL * 3 / 4;
 const GRID_WIDTH: i64 = PIXEL;
 
@@ -68,12 +69,12 @@ pub(super) struct Painter<'a> {
 }
 
 impl Style {
-    /// Paints what is told to a sink, and a text in the lower left corner.
-    pub(super) fn paint(&self, caption: &str, draw: &Draw<'_>) -> Picture {
+    /// Paints what is told to a sink, and texts in the lower left corner.
+    pub(super) fn paint(&self, captions: &[(&str, Rgb)], draw: &Draw<'_>) -> Picture {
         let mut painter = Painter::new(self, draw);
         painter.grids();
         draw(&mut painter);
-        painter.caption(caption);
+        painter.caption(captions);
         painter.finish()
     }
 
@@ -122,11 +123,15 @@ impl<'a> Painter<'a> {
         }
     }
 
-    /// A text in the lower left corner.
-    fn caption(&mut self, text: &str) {
-        let height = i64::from(self.style.size[1]) * PIXEL / 40;
+    /// Texts beside each other in the lower left corner.
+    fn caption(&mut self, texts: &[(&str, Rgb)]) {
+        let rows = i64::from(self.style.size[1]) * PIXEL;
+        let height = (rows / 40).max(12 * PIXEL).min(rows / 24);
         let bottom = i64::from(self.style.size[1]) * PIXEL - height;
-        font::write(&mut self.canvas, text, height, bottom, height);
+        let mut left = height;
+        for &(text, colour) in texts {
+            left = font::write(&mut self.canvas, text, [left, bottom], height, colour);
+        }
     }
 
     fn view(&self, at: Vec3) -> Option<[i64; 3]> {
@@ -214,14 +219,20 @@ impl DrawSink for Painter<'_> {
             self.stroke([a, b], LINE_WIDTH, SHADOW_LIFT, SHADOW);
         }
         let colour = self.hazed(colour::of(shade), ends[0]);
-        self.stroke(ends, LINE_WIDTH, lifted(shade, LINE_LIFT), colour);
+        let width = if shade == Shade::Contact { CONTACT_WIDTH } else { LINE_WIDTH };
+        self.stroke(ends, width, lifted(shade, LINE_LIFT), colour);
     }
 
     fn point(&mut self, at: Vec3, shade: Shade) {
         self.shadow_of_point(at);
         let lift = lifted(shade, POINT_LIFT);
         let Some((spot, view)) = self.spot(at, lift) else { return };
-        let radius = if shade == Shade::Pinned { self.radius * 3 / 2 } else { self.radius };
+        let radius = match shade {
+            Shade::Pinned => self.radius * 3 / 2,
+            // However much there is around it.
+            Shade::Contact => self.radius.max(i64::from(self.style.size[1]) * PIXEL / 140),
+            _ => self.radius,
+        };
         let radius = self.style.camera.scaled(radius, view).clamp(RADIUS_FAR, RADIUS_NEAR);
         self.canvas.ball(spot, radius, self.hazed(colour::of(shade), at));
     }
@@ -230,7 +241,8 @@ impl DrawSink for Painter<'_> {
         if let Some((spot, _)) = self.spot(at, POINT_LIFT) {
             let height = i64::from(self.style.size[1]) * PIXEL / 64;
             let (left, bottom) = (spot.x + height / 2, spot.y - height / 2);
-            font::write(&mut self.canvas, &text.to_string(), left, bottom, height.max(6 * PIXEL));
+            let (text, height) = (text.to_string(), height.max(6 * PIXEL));
+            font::write(&mut self.canvas, &text, [left, bottom], height, TEXT);
         }
     }
 }

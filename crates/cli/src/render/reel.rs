@@ -4,7 +4,7 @@ use verlock::World;
 use verlock::replay::seek;
 use verlock::scene::Scene;
 
-use crate::failure::Failure;
+use crate::failure::{Failure, tell};
 use crate::input::{Input, Kind};
 use crate::progress::Progress;
 use crate::state::{Origin, check_tick, recorded_hash, span};
@@ -51,6 +51,7 @@ impl<'a> Reel<'a> {
     /// One tick, by default a snapshot's only, a replay's last, a scene's first.
     pub(super) fn still(input: &'a Input, tick: Option<u64>) -> Result<Self, Failure> {
         let kind = input.open()?;
+        tell_beyond(&kind, input, tick.unwrap_or(0));
         let start = world_at(input, &kind, tick)?;
         let (from, to) = (start.tick(), start.tick());
         Ok(Self { input, kind, ticks: Ticks { from, to, every: 1 }, start })
@@ -81,6 +82,7 @@ impl<'a> Reel<'a> {
         if let Kind::Snapshot(snapshot) = &kind {
             check_tick(input, Some(to), [snapshot.tick(); 2])?;
         }
+        tell_beyond(&kind, input, to);
         let start = world_at(input, &kind, Some(from))?;
         Ok(Self { input, kind, ticks: Ticks { from, to, every }, start })
     }
@@ -131,6 +133,16 @@ impl<'a> Reel<'a> {
         let stored = tick == self.ticks.from && replay.stored_ticks().any(|stored| stored == tick);
         let origin = if stored { Origin::Stored } else { Origin::Stepped };
         other.then(|| origin.another(self.input, tick))
+    }
+}
+
+/// Says that a tick is later than those that a scene describes.
+fn tell_beyond(kind: &Kind<'_>, input: &Input, tick: u64) {
+    if let Kind::Scene(scene) = kind
+        && tick > scene.ticks()
+    {
+        let (name, end) = (input.name(), scene.ticks());
+        tell(format_args!("{name}: tick {tick} is beyond its end at tick {end}"));
     }
 }
 

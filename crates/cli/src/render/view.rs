@@ -1,8 +1,10 @@
 //! Where the camera stands.
 
 use clap::ValueEnum;
+use verlock::Vec3;
 use verlock::math::UnitVec3;
-use verlock::{Real, Vec3};
+
+use crate::number::number;
 
 /// From where everything shown is looked at.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
@@ -43,15 +45,13 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
 
 /// A point of the world in metres, `X,Y,Z`.
 pub(crate) fn point(text: &str) -> Result<Vec3, String> {
-    let mut numbers = text.split(',').map(|number| Real::parse(number.trim()));
-    let mut next = || {
-        let number = numbers.next().ok_or("three numbers are expected: 1,2.5,-3")?;
-        number.map_err(|error| error.to_string())
-    };
-    let point = Vec3::new(next()?, next()?, next()?);
-    if numbers.next().is_some() {
-        return Err("more than three numbers".into());
+    const EXPECTED: &str = "three numbers with commas between them are expected: 1,2.5,-3";
+    if text.split(',').count() != 3 {
+        return Err(EXPECTED.into());
     }
+    let mut numbers = text.split(',').map(number);
+    let mut next = || numbers.next().ok_or(EXPECTED)?;
+    let point = Vec3::new(next()?, next()?, next()?);
     let limit = verlock::particle::WORLD_LIMIT.unsigned_abs();
     if point.raw().iter().any(|c| c.unsigned_abs() > limit) {
         return Err("outside of the world, 2^36 m either way".into());

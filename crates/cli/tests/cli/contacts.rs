@@ -45,6 +45,8 @@ fn contacts_are_painted() {
     let over = [&command[..], &["--render", "floor.obj", "--force"]].concat();
     sandbox.run(&over).expect(2);
     assert_eq!(sandbox.read("floor.obj"), FLOOR.as_bytes());
-    let refused = sandbox.run(&["contacts", "floor.obj", "blade.obj", "--margin=-1"]).expect(2);
+    let refused = sandbox.run(&["contacts", "floor.obj", "blade.obj", "--margin", "-1"]).expect(2);
     assert!(refused.stderr.contains("is below 0"), "{}", refused.stderr);
+    // Numbers are as in OBJ files.
+    sandbox.run(&[&command[..4], &["--margin", "1e-3"]].concat()).expect(0);
 }

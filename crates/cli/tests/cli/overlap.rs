@@ -87,12 +87,32 @@ fn files_that_are_no_meshes_are_refused() {
         ("bytes.obj", "bytes.obj: offset 8: not UTF-8"),
     ];
     for (name, why) in refused {
-        sandbox.run(&["overlap", "floor.obj", name]).expect(3).says(why);
+        let refused = sandbox.run(&["overlap", "floor.obj", name]).expect(3).says(why);
+        assert!(!refused.stderr.contains("nothing proven"), "{}", refused.stderr);
         sandbox.run(&["overlap", name, "floor.obj", "--json"]).expect(3).says(why);
     }
     sandbox.run(&["overlap", "floor.obj", "none.obj"]).expect(2).says("none.obj: ");
     sandbox.run(&["overlap", "-", "-"]).expect(2).says("stdin");
     sandbox.run(&["--limit", "9", "overlap", "floor.obj", "blade.obj"]).expect(3).says("longer");
+}
+
+/// What is something else is called by its name, both ways.
+#[test]
+fn other_kinds_are_named() {
+    let sandbox = Sandbox::recorded("overlap-kinds");
+    sandbox.write("floor.obj", FLOOR.as_bytes());
+    sandbox.write("noted.obj", format!("# A floor.\no floor\n{FLOOR}").as_bytes());
+    sandbox.write("a.png", b"\x89PNG\r\n\x1a\n");
+    for (name, kind) in
+        [("a.ron", "a text, as scenes are"), ("a.snap", "a snapshot"), ("a.png", "a picture")]
+    {
+        let why = format!("{name}: it is {kind}, and an OBJ mesh is wanted");
+        sandbox.run(&["overlap", "floor.obj", name]).expect(3).says(&why);
+    }
+    for name in ["floor.obj", "noted.obj"] {
+        let why = format!("{name}: it is an OBJ mesh, which `reduce --render` paints");
+        sandbox.run(&["render", name, "-o", "picture.png"]).expect(3).says(&why);
+    }
 }
 
 #[test]
@@ -110,7 +130,13 @@ fn both_meshes_are_painted() {
     sandbox.run(&command).expect(2).says("stdout is for text");
     for name in ["both.gif", "both.jpg", "both"] {
         let command = ["overlap", "floor.obj", "blade.obj", "--render", name];
-        sandbox.run(&command).expect(2).says(&format!("{name}: "));
+        sandbox.run(&command).expect(2).says(&format!("{name}: is no .png"));
+    }
+    // Pictures have a size and a view, and there is none.
+    for option in [["--size", "99x99"], ["--view", "top"]] {
+        let command = [&["overlap", "floor.obj", "blade.obj"], &option[..]].concat();
+        let refused = sandbox.run(&command).expect(2);
+        assert!(refused.stderr.contains("--render"), "{}", refused.stderr);
     }
     // A mesh is not taken for an old picture.
     sandbox.write("mesh.png", FLOOR.as_bytes());

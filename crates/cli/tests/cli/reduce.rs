@@ -33,7 +33,10 @@ fn triangles_are_reduced() {
     assert_eq!(told["of_mesh"]["at_least"], "0");
     assert_eq!(found.stderr, "");
     let found = sandbox.run(&["reduce", "sheet.obj", "--triangles", "2"]).expect(0);
-    assert!(found.text().starts_with("v 1\nproxy triangles\nmesh_faces 32\n"), "{}", found.text());
+    assert!(found.text().starts_with("proxy triangles\nmesh_faces 32\n"), "{}", found.text());
+    // Neither the same again.
+    let found = sandbox.run(&["reduce", "sheet.obj", "--triangles", "33"]).expect(0);
+    found.says("sheet.obj: has 32 triangles already");
     // A closed part has four faces at least.
     let found = sandbox.run(&["reduce", "cube.obj", "--triangles", "1", "--json"]).expect(0);
     assert_eq!(found.json()["faces"], 4);
@@ -64,7 +67,11 @@ fn shapes_around_a_cube_are_as_far_off_as_they_are() {
     }
     let told = sandbox.run(&["reduce", "cube.obj", "--fit", "sphere", "--json"]).expect(0).json();
     assert_eq!(told["shape"]["center"], "1,1,1");
-    let told = sandbox.run(&["reduce", "cube.obj", "--fit", "capsule", "--json"]).expect(0).json();
+    let found = sandbox.run(&["reduce", "cube.obj", "--fit", "capsule", "--json"]).expect(0);
+    let told = found.json();
+    if told["shape"]["ends"][0] == told["shape"]["ends"][1] {
+        found.says("is a sphere");
+    }
     assert!(metres(&told, "/shape/radius") >= 2.0_f64.sqrt() - 1e-6);
 }
 
@@ -83,9 +90,11 @@ fn what_stands_in_is_written() {
         }
         assert!(!sides.is_empty(), "{args:?}");
         assert!(sides.iter().all(|&[a, b]| sides.contains(&[b, a])), "{args:?}: not closed");
-        // On stdout it is alone.
+        // On stdout it is alone, and what is told of it elsewhere.
         let command = [&["reduce", "cube.obj", "-o", "-"], &args[..]].concat();
-        assert_eq!(sandbox.run(&command).expect(0).text(), text);
+        let outcome = sandbox.run(&command).expect(0);
+        assert_eq!(outcome.text(), text);
+        assert!(outcome.stderr.contains("\ndeviation "), "{}", outcome.stderr);
     }
 }
 
@@ -114,8 +123,20 @@ fn what_makes_no_sense_is_refused() {
         &["--hull", "8", "--render", "-"],
         &["--hull", "8", "--render", "both.gif"],
         &["--hull", "8", "--output", "cube.obj", "--force"],
+        &["--hull", "8", "--output", "hull.txt"],
+        &["--hull", "8", "--size", "99x99"],
     ] {
         sandbox.run(&[&["reduce", "cube.obj"], args].concat()).expect(2);
+    }
+    // Numbers below 0 are values of options, which say what they want.
+    for (option, value) in [("--triangles", "-5"), ("--hull", "-1"), ("--hull", "3")] {
+        let refused = sandbox.run(&["reduce", "cube.obj", option, value]).expect(2);
+        assert!(refused.stderr.contains("a whole number from"), "{}", refused.stderr);
+    }
+    for args in [["contacts", "--margin"], ["toi", "--gap"]] {
+        let command = [args[0], "cube.obj", "cube.obj", args[1], "-1"];
+        let refused = sandbox.run(&command).expect(2);
+        assert!(refused.stderr.contains("is below 0"), "{}", refused.stderr);
     }
     sandbox.run(&["reduce", "none.obj", "--hull", "8"]).expect(2).says("none.obj: ");
     // A sheet has no volume.

@@ -69,7 +69,7 @@ fn frames_of_gif(file: &[u8]) -> Vec<(Pixels, u16)> {
     frames
 }
 
-fn fixture(path: &str) -> PathBuf {
+pub(crate) fn fixture(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures").join(path)
 }
 

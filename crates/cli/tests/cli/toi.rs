@@ -1,5 +1,6 @@
 use serde_json::json;
 
+use crate::render::fixture;
 use crate::sandbox::Sandbox;
 
 /// A triangle on the ground.
@@ -57,14 +58,67 @@ fn meshes_that_meet_touch_at_once() {
     let sandbox = sandbox("toi-start");
     sandbox.write("through.obj", TIP.replace("v 1 3 1", "v 1 -3 1").as_bytes());
     let found = sandbox.run(&["toi", "through.obj", "floor.obj", "--motion", "0,1,0"]).expect(0);
-    assert_eq!(found.text().lines().next(), Some("0"));
+    assert_eq!(found.text().lines().next(), Some("0: they touch at the start"));
     assert!(found.text().contains("face 0, face 0\n"), "{}", found.text());
+}
+
+/// Of many pairs that touch some are listed and the others counted; JSON has them all.
+#[test]
+fn long_lists_are_cut_and_counted() {
+    let sandbox = sandbox("toi-many");
+    let command = ["toi", "gear.obj", "gear.obj", "--motion", "0,1,0"];
+    sandbox.write("gear.obj", &std::fs::read(fixture("meshes/gear.obj")).expect("a mesh"));
+    let told = sandbox.run(&command).expect(0);
+    let all = sandbox.run(&[&command[..], &["--json"]].concat()).expect(0).json();
+    let all = all["features"].as_array().expect("a list").len();
+    let last = told.text().lines().last().unwrap_or_default().replace(',', "");
+    assert_eq!(last, format!("and {} more pairs", all - 12));
+    assert_eq!(told.text().lines().count(), 1 + 12 + 1);
+}
+
+/// The example of the README: teeth that meet teeth, between the beginning and the end.
+#[test]
+fn gears_meet_where_they_are_pushed_together() {
+    let sandbox = sandbox("toi-gears");
+    let meshes = ["pinion", "gear"].map(|name| fixture(&format!("meshes/{name}.obj")));
+    let [a, b] = meshes.each_ref().map(|path| path.to_str().expect("a path"));
+    let told = sandbox.run(&["toi", a, b, "--motion", "-0.01,0,0", "--json"]).expect(0).json();
+    assert_eq!((&told["hit"], &told["cut"]), (&json!(true), &json!(false)));
+    let time: f64 = told["t"].as_str().expect("a time").parse().expect("a number");
+    // 3 mm are missing, of 10.
+    assert!((0.25..=0.35).contains(&time), "{time}");
+}
+
+/// A search that ends before it is certain says so, also to people.
+#[test]
+fn cut_searches_are_told() {
+    let sandbox = sandbox("toi-cut");
+    // A cube of 1 m two metres above another.
+    let cube = fixture("meshes/cube.obj");
+    let low = cube.to_str().expect("a path");
+    let text = std::fs::read_to_string(&cube).expect("a mesh");
+    let raised: Vec<String> = text
+        .lines()
+        .map(|line| match line.strip_prefix("v ").map(|rest| rest.split(' ').collect::<Vec<_>>()) {
+            Some(place) => {
+                let [x, y, z] = [0, 1, 2].map(|k| place[k].parse::<f64>().expect("a number"));
+                format!("v {} {} {}", x + 0.13, y + 2.0, z + 0.07)
+            }
+            None => line.into(),
+        })
+        .collect();
+    sandbox.write("high.obj", raised.join("\n").as_bytes());
+    let command = ["toi", "high.obj", low, "--motion", "0,-3,0", "--gap", "0.1"];
+    let is_cut = sandbox.run(&[&command[..], &["--json"]].concat()).expect(0).json()["cut"] == true;
+    let told = sandbox.run(&command).expect(0);
+    let first = told.text().lines().next().expect("a line");
+    assert_eq!(first.ends_with(" or later: the search was cut short"), is_cut, "{first}");
 }
 
 #[test]
 fn what_is_no_motion_is_refused() {
     let sandbox = sandbox("toi-refused");
-    for motion in ["1,2", "1,2,x", "1,2,3,4", "", "0,99999999999999,0"] {
+    for motion in ["1,2", "1,2,x", "1,2,3,4", "", "0 1 0", "0,-1,", "0,99999999999999,0"] {
         let command = ["toi", "tip.obj", "floor.obj", "--motion", motion];
         let refused = sandbox.run(&command).expect(2);
         assert!(refused.stderr.contains("--motion"), "{}", refused.stderr);
@@ -73,6 +127,8 @@ fn what_is_no_motion_is_refused() {
     sandbox.run(&command).expect(2).says("--motion: leads out of range");
     let command = ["toi", "tip.obj", "floor.obj", "--motion", "0,0,0", "--gap=-1"];
     assert!(sandbox.run(&command).expect(2).stderr.contains("is below 0"));
+    let spaced = sandbox.run(&["toi", "tip.obj", "floor.obj", "--motion", "0 1 0"]).expect(2);
+    assert!(spaced.stderr.contains("with commas between them"), "{}", spaced.stderr);
     let without = sandbox.run(&["toi", "tip.obj", "floor.obj"]).expect(2);
     assert!(without.stderr.contains("--motion"), "{}", without.stderr);
     sandbox.run(&["toi", "none.obj", "floor.obj", "--motion", "0,0,0"]).expect(2).says("none.obj");
