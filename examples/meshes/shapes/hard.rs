@@ -17,7 +17,7 @@ pub fn pinion(detail: u32) -> TriangleMesh {
     wheel(detail, 1, raw_mm(371))
 }
 
-/// A gear wheel whose teeth are some quarters of a tooth further, and which stands `x` to the right.
+/// A gear whose teeth are some quarters of a tooth further, and which stands `x` to the right.
 fn wheel(detail: u32, quarters: u32, x: i64) -> TriangleMesh {
     const TEETH: u32 = 16;
     // Root, flank, tip, flank: a quarter of a tooth each.
