@@ -127,7 +127,7 @@ fn side_by_side<W: Width>(seam: &Seam, a: [[i64; 3]; 2], b: [[i64; 3]; 2]) -> Co
     if !is_parallel {
         return contacts;
     }
-    // With radii of r together, s to the side makes surfaces s^2 / 2 r farther apart: a tie at most.
+    // Radii of r in all, s to the side makes surfaces s^2 / 2 r farther apart: at most a tie.
     let aside_max = i128::from(2 * TIE) * i128::from(seam.radii[0] + seam.radii[1]);
     let mut keep = |features: [FeatureId; 2], on: [[i64; 3]; 2], is_end_of_b: bool| {
         let way = sub(on[1], on[0]);
