@@ -2,15 +2,17 @@
 
 use alloc::vec::Vec;
 
-use super::{Manifold, Shape, collide_surface, manifold_convex_convex};
+use super::surface::{manifolds_shape_height_field, manifolds_shape_mesh};
+use super::{Manifold, Shape, manifold_convex_convex};
 use crate::math::Real;
 
 /// Adds the manifolds of two shapes that touch, or are at most `margin` apart: one of convex
 /// shapes, one for each patch of meshes and height fields, sorted by the features of their first
 /// contacts.
 ///
-/// What they cost is said where each kind of pair is: [`manifold_convex_convex`],
-/// [`collide_surface`]. Two half-spaces have no manifold.
+/// Boxes and hulls beside a mesh or a height field are surfaces too, see
+/// [`manifolds_mesh_mesh`](super::manifolds_mesh_mesh), and so are triangles, of both sides. What
+/// pairs cost is said there, and at [`manifold_convex_convex`]. Two half-spaces have no manifold.
 ///
 /// ```
 /// use verlock::collision::{Shape, collide};
@@ -26,18 +28,20 @@ use crate::math::Real;
 /// # Ok::<(), verlock::geometry::ShapeError>(())
 /// ```
 pub fn collide(a: &Shape, b: &Shape, margin: Real, out: &mut Vec<Manifold>) {
+    let first = out.len();
+    match (a, b) {
+        (_, Shape::MeshShape(b)) => manifolds_shape_mesh(a, b, margin, out),
+        (_, Shape::HeightField(b)) => manifolds_shape_height_field(a, b, margin, out),
+        (Shape::MeshShape(a), _) => manifolds_shape_mesh(b, a, margin, out),
+        (Shape::HeightField(a), _) => manifolds_shape_height_field(b, a, margin, out),
+        _ => out.extend(manifold_convex_convex(a, b, margin)),
+    }
     let is_surface = |shape| matches!(shape, &Shape::MeshShape(_) | &Shape::HeightField(_));
-    if is_surface(b) {
-        collide_surface(a, b, margin, out);
-    } else if is_surface(a) {
-        let first = out.len();
-        collide_surface(b, a, margin, out);
+    if is_surface(a) && !is_surface(b) {
         let found = &mut out[first..];
         for manifold in &mut *found {
             *manifold = manifold.flipped();
         }
         found.sort_unstable_by_key(|manifold| manifold.contacts()[0].features);
-    } else {
-        out.extend(manifold_convex_convex(a, b, margin));
     }
 }

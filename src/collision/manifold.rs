@@ -4,6 +4,10 @@ use super::FeatureId;
 use crate::math::{Real, UnitVec3, Vec3};
 
 /// One point of contact: a point of either shape, and how far apart they are along the normal.
+///
+/// Where surfaces of triangles are deep in one another, one of the points is a vertex or a place
+/// where they intersect. The other is before it along the normal, in the plane up to which its
+/// shape reaches there: on the shape if that is flat, as faces of boxes are, else before it.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Contact {
     /// The feature of A and that of B which make the contact. Unique in its manifold.

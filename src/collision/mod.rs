@@ -58,6 +58,6 @@ pub use feature::{FeatureId, FeatureKind};
 pub use manifold::{Contact, Manifold};
 pub use shape::Shape;
 pub use surface::{
-    MeshShape, collide_surface, manifolds_capsule_surface, manifolds_half_space_surface,
+    MeshShape, manifolds_capsule_surface, manifolds_half_space_surface,
     manifolds_mesh_height_field, manifolds_mesh_mesh, manifolds_sphere_surface,
 };

@@ -1,5 +1,7 @@
 mod feet;
 mod golden;
+mod overlaps;
 mod pairs;
 mod solids;
+mod tangle;
 mod topology;

@@ -15,23 +15,29 @@ impl MeshShape {
     /// along y, and infinitely less along z: so it never meets an edge or a vertex.
     #[must_use]
     pub fn contains(&self, point: Vec3) -> bool {
-        if !self.bounds().overlaps(&Aabb::of_point(point)) {
-            return false;
-        }
-        let mut faces = Vec::new();
-        let end = Vec3::new(self.bounds().max().x, point.y, point.z);
-        self.faces_near(&Aabb::new(point, end), &mut faces);
-        let here = Triangle::between([point; 3]);
-        let mut is_inside = false;
-        for face in faces {
-            let triangle = self.triangle(face);
-            if overlap_triangle_triangle(&triangle, &here) {
-                return true;
-            }
-            is_inside ^= is_crossed(&triangle, point);
-        }
-        is_inside
+        contains(self, point)
     }
+}
+
+/// The same of any surface.
+pub(super) fn contains<S: Surface>(surface: &S, point: Vec3) -> bool {
+    let bounds = surface.bounds();
+    if !bounds.overlaps(&Aabb::of_point(point)) {
+        return false;
+    }
+    let mut faces = Vec::new();
+    let end = Vec3::new(bounds.max().x, point.y, point.z);
+    surface.faces_near(&Aabb::new(point, end), &mut faces);
+    let here = Triangle::between([point; 3]);
+    let mut is_inside = false;
+    for face in faces {
+        let triangle = surface.triangle(face);
+        if overlap_triangle_triangle(&triangle, &here) {
+            return true;
+        }
+        is_inside ^= is_crossed(&triangle, point);
+    }
+    is_inside
 }
 
 /// Whether the moved ray from a point that is not on a triangle goes through it.

@@ -14,7 +14,7 @@ pub(super) struct Features {
     pub(super) sides: Vec<[u32; 3]>,
     at_edges: Lists,
     at_vertices: Lists,
-    /// Whether every edge has two faces that go along it in opposite directions.
+    /// Whether there are edges, and each has two faces that go along it in opposite directions.
     pub(super) is_closed: bool,
 }
 
@@ -42,6 +42,7 @@ impl Features {
         let mut at_edges = Lists::new();
         adjacency.edges().for_each(|edge| at_edges.push(edge.faces.iter().copied()));
         let at_vertices = at_vertices(mesh);
+        let is_closed = is_closed && !ends.is_empty();
         Self { ends, sides, at_edges, at_vertices, is_closed }
     }
 

@@ -2,6 +2,7 @@
 
 use alloc::vec::Vec;
 
+use super::contained::{Solid, contained};
 use super::pair::NearSurfaces;
 use super::proximity::{Proximity, along, manifolds, scaled};
 use super::round::{manifolds_capsule_surface, manifolds_sphere_surface};
@@ -10,16 +11,23 @@ use super::tangle::Tangle;
 use super::{DEPTH_MAX, MeshShape, REACH_MAX};
 use crate::collision::patch::reduce;
 use crate::collision::{Contact, FeatureId, Manifold, Shape};
-use crate::geometry::{Aabb, HalfSpace, HeightField, Surface, Triangle};
+use crate::geometry::{Aabb, HalfSpace, HeightField, Surface};
 use crate::math::wide::sub;
 use crate::math::{Real, Vec3};
 
 /// Adds the manifolds of two meshes that are nearer than `margin`, in metres; static or moving,
 /// hollow or not.
 ///
-/// Where they intersect, parts of a one-sided mesh that are deeper than 2 mm inside another have a
-/// manifold each, whose normal and depth lead all of the part out. O(k log k) for k faces near one
-/// another, and all vertices inside.
+/// Where they intersect, parts that are deeper than 2 mm inside one another have a manifold each,
+/// whose normal and depth lead all of the part out: as a rule the shortest way along the normal of
+/// a face where they intersect, or the one that lessens the common volume fastest. What has no
+/// inside is pushed out to the side from which it is the shorter way. Where one has gone right
+/// through the other, it is the shortest way that parts them as wholes, if that is farther than
+/// needed too. O(k log k) for k faces near one another, and all vertices inside.
+///
+/// If they do not touch, but one is inside the other, which is closed and one-sided, it is pushed
+/// out through the nearest place, as a whole: what hangs together with its first face is looked at.
+/// That is O(n log n) for all n faces.
 pub fn manifolds_mesh_mesh(a: &MeshShape, b: &MeshShape, margin: Real, out: &mut Vec<Manifold>) {
     let mut pairs = Vec::new();
     a.tree().near_pairs(b.tree(), reach(margin), &mut pairs);
@@ -37,23 +45,31 @@ pub fn manifolds_mesh_height_field(
     surfaces(a, b, margin, |feature| feature, out);
 }
 
-/// Adds the manifolds of two shapes that are nearer than `margin`, if the second is a mesh, a
-/// height field or a triangle, and the first any shape; else nothing, and returns false.
-///
-/// Boxes and hulls are surfaces too then. O(k log k) for k faces near one another, and all vertices
-/// of what is deep inside.
-pub fn collide_surface(a: &Shape, b: &Shape, margin: Real, out: &mut Vec<Manifold>) -> bool {
-    match (a, b) {
-        (Shape::MeshShape(a), Shape::MeshShape(b)) => manifolds_mesh_mesh(a, b, margin, out),
-        (_, Shape::MeshShape(b)) => with_surface(a, b, margin, out),
-        (_, Shape::HeightField(b)) => with_surface(a, b, margin, out),
-        (_, Shape::Triangle(b)) => with_surface(a, b, margin, out),
-        _ => return false,
+/// Adds the manifolds of any shape and a mesh that are nearer than `margin`. Boxes and hulls are
+/// surfaces too then.
+pub(in crate::collision) fn manifolds_shape_mesh(
+    a: &Shape,
+    b: &MeshShape,
+    margin: Real,
+    out: &mut Vec<Manifold>,
+) {
+    match a {
+        Shape::MeshShape(a) => manifolds_mesh_mesh(a, b, margin, out),
+        _ => with_surface(a, b, margin, out),
     }
-    true
 }
 
-fn with_surface<B: Surface>(a: &Shape, b: &B, margin: Real, out: &mut Vec<Manifold>) {
+/// Adds the manifolds of any shape and a height field that are nearer than `margin`.
+pub(in crate::collision) fn manifolds_shape_height_field(
+    a: &Shape,
+    b: &HeightField,
+    margin: Real,
+    out: &mut Vec<Manifold>,
+) {
+    with_surface(a, b, margin, out);
+}
+
+fn with_surface<B: Solid>(a: &Shape, b: &B, margin: Real, out: &mut Vec<Manifold>) {
     let same = |feature| feature;
     match a {
         Shape::HalfSpace(a) => manifolds_half_space_surface(a, b, margin, out),
@@ -69,7 +85,7 @@ fn with_surface<B: Surface>(a: &Shape, b: &B, margin: Real, out: &mut Vec<Manifo
         }
         Shape::MeshShape(a) => surfaces(a, b, margin, same, out),
         Shape::HeightField(a) => surfaces(a, b, margin, same, out),
-        Shape::Triangle(a) => surfaces::<Triangle, B>(a, b, margin, same, out),
+        Shape::Triangle(a) => surfaces(a, b, margin, same, out),
     }
 }
 
@@ -101,7 +117,7 @@ pub fn manifolds_half_space_surface<S: Surface>(
 
 /// Of two surfaces, the first better the smaller one. `name` tells what features of the first are
 /// called.
-fn surfaces<A: Surface, B: Surface>(
+fn surfaces<A: Solid, B: Solid>(
     a: &A,
     b: &B,
     margin: Real,
@@ -118,7 +134,7 @@ fn surfaces<A: Surface, B: Surface>(
     of_pairs(a, b, &mut pairs, margin, name, out);
 }
 
-fn of_pairs<A: Surface, B: Surface>(
+fn of_pairs<A: Solid, B: Solid>(
     a: &A,
     b: &B,
     pairs: &mut [[u32; 2]],
@@ -126,20 +142,32 @@ fn of_pairs<A: Surface, B: Surface>(
     name: impl Fn(FeatureId) -> FeatureId,
     out: &mut Vec<Manifold>,
 ) {
-    if pairs.is_empty() {
-        return;
+    let (mut found, mut parts) = (Vec::new(), Vec::new());
+    if !pairs.is_empty() {
+        found = NearSurfaces::new(a, b, pairs, margin).proximities();
+        let tangle = Tangle::new((a, b), pairs, &found);
+        found.retain(|proximity| !tangle.covers(proximity));
+        parts = tangle.parts;
     }
-    let mut found = NearSurfaces::new(a, b, pairs, margin).proximities();
-    let tangle = Tangle::new((a, b), pairs, &found);
-    found.retain(|proximity| !tangle.covers(proximity));
-    let rename = |contact: &mut Contact| contact.features[0] = name(contact.features[0]);
+    let is_apart = |proximity: &Proximity| proximity.contact.separation > Real::ZERO;
+    if parts.is_empty() && found.iter().all(is_apart) {
+        parts.extend(contained(a, b));
+    }
     for proximity in &mut found {
-        rename(&mut proximity.contact);
+        let [feature, _] = &mut proximity.contact.features;
+        *feature = name(*feature);
     }
+    // Different ones may have become one.
+    found.sort_unstable_by_key(Proximity::key);
+    found.dedup_by_key(|proximity| proximity.contact.features);
     let first = out.len();
     manifolds(&found, out);
-    for (normal, mut contacts) in tangle.parts {
-        contacts.iter_mut().for_each(rename);
+    for (normal, mut contacts) in parts {
+        for contact in &mut contacts {
+            contact.features[0] = name(contact.features[0]);
+        }
+        contacts.sort_unstable_by_key(|c| (c.features, c.separation, c.on_a, c.on_b));
+        contacts.dedup_by_key(|contact| contact.features);
         out.extend(reduce(normal, &contacts));
     }
     out[first..].sort_unstable_by_key(|manifold| manifold.contacts()[0].features);

@@ -96,8 +96,8 @@ impl MeshShape {
         self.features.ends.len()
     }
 
-    /// Whether every edge has two faces that go along it in opposite directions: the mesh has no
-    /// hole, and an inside unless it is turned inside out.
+    /// Whether there are edges, and each has two faces that go along it in opposite directions: the
+    /// mesh has no hole, and an inside unless it is turned inside out.
     #[must_use]
     pub fn is_closed(&self) -> bool {
         self.features.is_closed

@@ -5,6 +5,7 @@
 //! where the other lies in its Voronoi region, told by exact signs. So inner edges of flat or
 //! hollow parts never touch anything, and no contact is found twice.
 
+mod contained;
 mod contains;
 mod features;
 mod feet;
@@ -15,13 +16,15 @@ mod pair;
 mod proximity;
 mod ridges;
 mod round;
+mod shell;
 mod side;
 mod skin;
 mod tangle;
 
 pub use manifolds::{
-    collide_surface, manifolds_half_space_surface, manifolds_mesh_height_field, manifolds_mesh_mesh,
+    manifolds_half_space_surface, manifolds_mesh_height_field, manifolds_mesh_mesh,
 };
+pub(super) use manifolds::{manifolds_shape_height_field, manifolds_shape_mesh};
 pub use mesh_shape::MeshShape;
 pub use round::{manifolds_capsule_surface, manifolds_sphere_surface};
 

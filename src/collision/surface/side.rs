@@ -112,12 +112,14 @@ fn at_vertex<S: Surface>(surface: &S, point: Vec3, vertex: u32) -> Side {
     of_sign(sum.cmp(&0))
 }
 
-/// Whether every edge at a vertex has two faces.
+/// Whether every edge at a vertex has two faces. A side from a corner to itself is no edge.
 fn is_closed<S: Surface>(surface: &S, vertex: u32) -> bool {
     surface.faces_at_vertex(vertex).all(|face| {
-        let at_vertex = |edge: &u32| surface.ends(*edge).contains(&vertex);
-        let mut edges = surface.sides(face).into_iter().filter(at_vertex);
-        edges.all(|edge| surface.faces_at_edge(edge).count() == 2)
+        let (corners, sides) = (surface.corners(face), surface.sides(face));
+        let ends = [0, 1, 2].map(|k| [corners[k], corners[(k + 1) % 3]]);
+        let is_edge = |[from, to]: [u32; 2]| from != to && [from, to].contains(&vertex);
+        let mut edges = ends.into_iter().zip(sides).filter(|&(ends, _)| is_edge(ends));
+        edges.all(|(_, edge)| surface.faces_at_edge(edge).count() == 2)
     })
 }
 

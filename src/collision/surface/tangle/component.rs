@@ -6,28 +6,35 @@ use alloc::vec::Vec;
 use super::contour::{Contour, Knot};
 use super::groups::Groups;
 use super::inside::inside;
+use super::turned::Turned;
+use super::way::{Way, length, reach};
 use crate::collision::surface::proximity::scaled;
 use crate::collision::{Contact, FeatureId, FeatureKind};
 use crate::geometry::{Aabb, Surface};
-use crate::math::wide::{dot_wide, round_shift_wide, sub, to_i64};
-use crate::math::{Real, UnitVec3, Vec3};
+use crate::math::wide::sub;
+use crate::math::{UnitVec3, Vec3};
 
 /// Lines and vertices that are joined.
 #[derive(Default)]
 pub(super) struct Component {
-    knots: Vec<Knot>,
+    /// Sorted by features, at least one.
+    pub(super) knots: Vec<Knot>,
     /// The vertices of A inside B, and of B inside A.
     inside: [Vec<(u32, Vec3)>; 2],
+    /// The faces of A and of B that its lines go through, sorted.
+    pub(super) rims: [Vec<u32>; 2],
     /// Twice the area of its lines.
     area: [i128; 3],
     /// The largest of those of its single lines.
     largest: u128,
+    /// How long its lines are.
+    length: u128,
 }
 
 /// The components of an overlap, in the order of their lowest knots.
 pub(super) fn components<A: Surface, B: Surface>(
-    a: &A,
-    b: &B,
+    a: &Turned<A>,
+    b: &Turned<B>,
     contour: &Contour,
 ) -> Vec<Component> {
     let Contour { knots, links } = contour;
@@ -50,8 +57,19 @@ pub(super) fn components<A: Surface, B: Surface>(
         components[places[root as usize]].knots.push(*knot);
     }
     let mut place = |number: u32| places[groups.root(number) as usize];
+    // Lines run along the product of normals: turned with one surface, not with both.
+    let way = if a.is_turned == b.is_turned { 1 } else { -1 };
     for (line, area) in areas(contour, &lines) {
-        components[place(line)].add(area);
+        components[place(line)].add(area.map(|c| way * c));
+    }
+    for link in links {
+        let component = &mut components[place(link.knots[0])];
+        let [from, to] = link.knots.map(|knot| knots[knot as usize].position.raw());
+        // Below 3 * 2^61, of less than 2^31.
+        component.length += magnitude(sub(to, from).map(i128::from));
+        for (rim, face) in component.rims.iter_mut().zip(link.faces) {
+            rim.push(face);
+        }
     }
     for (vertex, number) in of_a {
         components[place(number)].inside[0].push((vertex, a.position(vertex)));
@@ -59,30 +77,69 @@ pub(super) fn components<A: Surface, B: Surface>(
     for (vertex, number) in of_b {
         components[place(number)].inside[1].push((vertex, b.position(vertex)));
     }
+    for rim in components.iter_mut().flat_map(|component| &mut component.rims) {
+        rim.sort_unstable();
+        rim.dedup();
+    }
     components
 }
 
 /// Twice the area of every line, which is named by its lowest knot. `lines` tells that of each
 /// knot.
+///
+/// The area of an open line is that which the chord between its ends closes: from an end, the chord
+/// adds nothing.
 fn areas(contour: &Contour, lines: &[u32]) -> Vec<(u32, [i128; 3])> {
+    let mut is_end = vec![false; lines.len()];
+    for knot in contour.links.iter().flat_map(|link| link.knots) {
+        is_end[knot as usize] ^= true;
+    }
+    let rank = |knot: u32| (!is_end[knot as usize], contour.knots[knot as usize].position);
+    let mut origins: Vec<_> = (0..).take(lines.len()).collect();
+    for (knot, &line) in (0..).zip(lines) {
+        let origin = &mut origins[line as usize];
+        *origin = core::cmp::min_by_key(*origin, knot, |&knot| rank(knot));
+    }
     let mut areas = vec![[0; 3]; lines.len()];
     for link in &contour.links {
         let line = lines[link.knots[0] as usize] as usize;
-        let term = contour.area(*link, contour.knots[line].position);
+        let term = contour.area(*link, contour.knots[origins[line] as usize].position);
         areas[line] = [0, 1, 2].map(|k| areas[line][k] + term[k]);
     }
     let is_line = |(number, _): &(u32, _)| lines[*number as usize] == *number;
     (0..).zip(areas).filter(is_line).collect()
 }
 
-fn magnitude(area: [i128; 3]) -> u128 {
-    area.iter().map(|c| c.unsigned_abs()).sum()
+/// The sum of the components.
+fn magnitude(v: [i128; 3]) -> u128 {
+    v.iter().map(|c| c.unsigned_abs()).sum()
 }
 
 impl Component {
     fn add(&mut self, area: [i128; 3]) {
         self.area = [0, 1, 2].map(|k| self.area[k] + area[k]);
         self.largest = self.largest.max(magnitude(area));
+    }
+
+    /// The box around it.
+    pub(super) fn bounds(&self) -> Aabb {
+        let vertices = self.inside.iter().flatten().map(|&(_, position)| position);
+        let points = vertices.chain(self.knots.iter().map(|knot| knot.position));
+        points.fold(Aabb::of_point(self.origin()), Aabb::with)
+    }
+
+    /// What lengths are measured from: it has a knot.
+    pub(super) fn origin(&self) -> Vec3 {
+        self.knots.first().map_or(Vec3::ZERO, |knot| knot.position)
+    }
+
+    /// The direction of its area; none where the areas of the lines at which one goes into the
+    /// other and comes out again cancel out, and none of lines so straight that their rounding
+    /// tells it.
+    pub(super) fn normal(&self) -> Option<UnitVec3> {
+        let area = magnitude(self.area);
+        let is_through = area * 8 < self.largest || area < self.length * 16;
+        if is_through { None } else { UnitVec3::normalize_wide(self.area) }
     }
 
     /// Its vertices and edges, sorted.
@@ -97,58 +154,49 @@ impl Component {
         features
     }
 
-    /// The direction in which to move B, and how far.
-    ///
-    /// Where one has gone right through the other, the areas of the lines where it goes in and out
-    /// cancel out: then it is the shortest way out of the boxes around both.
-    pub(super) fn way_out(&self, bounds: [Aabb; 2]) -> (UnitVec3, Real) {
-        if magnitude(self.area) * 8 >= self.largest
-            && let Some(normal) = UnitVec3::normalize_wide(self.area)
-        {
-            return (normal, self.depth(normal));
-        }
-        let [a, b] = bounds.map(|bounds| [bounds.min().raw(), bounds.max().raw()]);
-        let axes = [UnitVec3::X, UnitVec3::Y, UnitVec3::Z];
-        let ways =
-            (0..3).flat_map(|k| [(a[1][k] - b[0][k], axes[k]), (b[1][k] - a[0][k], -axes[k])]);
-        // The first of the shortest.
-        let (depth, normal) = ways.min_by_key(|(depth, _)| *depth).unwrap_or((0, UnitVec3::Y));
-        (normal, Real::from_raw(depth))
-    }
-
-    /// How far B must move until what it has inside A is before what A has inside B.
-    fn depth(&self, normal: UnitVec3) -> Real {
-        let origin = self.knots[0].position.raw();
-        let reach = |point: &Vec3| dot_wide(normal.raw(), sub(point.raw(), origin));
+    /// How far B must move along a direction until what it has inside A is before what A has
+    /// inside B.
+    pub(super) fn way(&self, normal: UnitVec3) -> Way {
         let ends = |k: usize| {
             let vertices = self.inside[k].iter().map(|(_, position)| position);
-            vertices.chain(self.knots.iter().map(|knot| &knot.position)).map(reach)
+            let points = vertices.chain(self.knots.iter().map(|knot| &knot.position));
+            points.map(|&point| reach(normal, point, self.origin()))
         };
         let (highest, lowest) = (ends(0).max().unwrap_or(0), ends(1).min().unwrap_or(0));
-        Real::from_raw(to_i64(round_shift_wide(highest - lowest, 30)))
+        Way { normal, depth: length(highest - lowest), levels: Some([highest, lowest]) }
     }
 
-    /// Contacts at all knots and vertices, which are as deep as one another.
-    pub(super) fn contacts(&self, normal: UnitVec3, depth: Real) -> Vec<Contact> {
+    /// Contacts at the vertices inside and at the knots, but for those less than half as deep as
+    /// the deepest, which would only let it tip.
+    pub(super) fn contacts(&self, way: &Way) -> Vec<Contact> {
         let Some(first) = self.knots.first() else { return Vec::new() };
-        let way = Vec3::from_raw(scaled(normal, depth));
-        let contact = |features: [FeatureId; 2], on_a: Vec3| Contact {
-            features,
-            on_a,
-            on_b: on_a - way,
-            separation: -depth,
-        };
-        let mut contacts: Vec<_> =
-            self.knots.iter().map(|knot| contact(knot.features, knot.position)).collect();
         let [of_a, of_b] = &self.inside;
-        contacts.extend(of_a.iter().map(|&(vertex, position)| {
-            contact([FeatureId::vertex(vertex), first.features[1]], position)
-        }));
-        contacts.extend(of_b.iter().map(|&(vertex, position)| {
-            contact([first.features[0], FeatureId::vertex(vertex)], position + way)
-        }));
-        contacts.sort_unstable_by_key(|contact| contact.features);
-        contacts.dedup_by_key(|contact| contact.features);
-        contacts
+        let knots = self.knots.iter().map(|knot| {
+            let sides = [0, 1].map(|k| self.contact(way, k, knot.features, knot.position));
+            if sides[1].separation < sides[0].separation { sides[1] } else { sides[0] }
+        });
+        let vertices_a = of_a.iter().map(|&(vertex, position)| {
+            self.contact(way, 0, [FeatureId::vertex(vertex), first.features[1]], position)
+        });
+        let vertices_b = of_b.iter().map(|&(vertex, position)| {
+            self.contact(way, 1, [first.features[0], FeatureId::vertex(vertex)], position)
+        });
+        let all = knots.chain(vertices_a).chain(vertices_b);
+        all.filter(|contact| -contact.separation.raw() >= way.depth.raw() / 2).collect()
+    }
+
+    /// At a point of A or of B: the point of the other is where it begins along the normal, which
+    /// is on it if it is flat there.
+    fn contact(&self, way: &Way, k: usize, features: [FeatureId; 2], point: Vec3) -> Contact {
+        let separation = match way.levels {
+            None => -way.depth,
+            Some([highest, lowest]) => {
+                let reach = reach(way.normal, point, self.origin());
+                length(if k == 0 { lowest - reach } else { reach - highest })
+            }
+        };
+        let way = Vec3::from_raw(scaled(way.normal, separation));
+        let (on_a, on_b) = if k == 0 { (point, point + way) } else { (point - way, point) };
+        Contact { features, on_a, on_b, separation }
     }
 }

@@ -23,6 +23,8 @@ pub(super) struct Knot {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Link {
     pub(super) knots: [u32; 2],
+    /// Of A and of B.
+    pub(super) faces: [u32; 2],
 }
 
 /// All lines in which two surfaces intersect.
@@ -37,7 +39,7 @@ impl Contour {
     /// Of pairs of faces, of which some may intersect. Faces that only touch in a point, or lie in
     /// one plane, add no line.
     pub(super) fn new<A: Surface, B: Surface>(a: &A, b: &B, pairs: &[[u32; 2]]) -> Self {
-        let mut ends: Vec<[Knot; 2]> = Vec::new();
+        let mut ends: Vec<([Knot; 2], [u32; 2])> = Vec::new();
         for &faces in pairs {
             let triangles = (a.triangle(faces[0]), b.triangle(faces[1]));
             let found = intersection_triangle_triangle(&triangles.0, &triangles.1);
@@ -47,18 +49,24 @@ impl Contour {
                 Knot { features, position: point.position, faces }
             });
             let is_forward = leads_along(a, b, &knots);
-            ends.push(if is_forward { knots } else { [knots[1], knots[0]] });
+            ends.push((if is_forward { knots } else { [knots[1], knots[0]] }, faces));
         }
-        let mut knots: Vec<_> = ends.iter().flatten().copied().collect();
+        let mut knots: Vec<_> = ends.iter().flat_map(|(ends, _)| *ends).collect();
         knots.sort_unstable();
         knots.dedup_by_key(|knot| knot.features);
-        let place = |knot: &Knot| {
-            // At most two for each of less than 2^31 pairs; every knot is there.
-            knots.partition_point(|other| other.features < knot.features) as u32
+        let mut contour = Self { knots, links: Vec::new() };
+        let link = |(ends, faces): &([Knot; 2], _)| {
+            let knots = ends.each_ref().map(|knot| contour.place(knot));
+            Link { knots, faces: *faces }
         };
-        let links = ends.iter().map(|[from, to]| Link { knots: [place(from), place(to)] });
-        let links = links.collect();
-        Self { knots, links }
+        contour.links = ends.iter().map(link).collect();
+        contour
+    }
+
+    /// The number of a knot of it.
+    pub(super) fn place(&self, knot: &Knot) -> u32 {
+        // At most two for each of less than 2^31 pairs; every knot is there.
+        self.knots.partition_point(|other| other.features < knot.features) as u32
     }
 
     /// Twice the area of what a closed line of these links spans, as a vector, from an origin near

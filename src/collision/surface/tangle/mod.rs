@@ -3,14 +3,20 @@
 //! What is nearest does not tell the way out of a deep overlap: neighbours disagree, and lock. The
 //! line in which the surfaces intersect does. Its area, as a vector, is that of A's part inside B,
 //! and so the direction in which moving B lessens the volume of the overlap fastest (divergence
-//! theorem). All contacts of a component share it, and its depth: the extent along it of the line
-//! and of the vertices inside.
+//! theorem). Around it are directions that lead out sooner: normals of the faces that the line goes
+//! through. All contacts of a component share the direction, and its depth is the extent along it
+//! of the line and of the vertices inside.
+//!
+//! What has no inside may have it on either side: of both, the side from which the way is shorter.
 
 mod component;
 mod contour;
 mod groups;
 mod inside;
+mod turned;
+mod way;
 
+use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
 use super::DEPTH_MAX;
@@ -19,11 +25,16 @@ use crate::collision::{Contact, FeatureId, FeatureKind};
 use crate::geometry::Surface;
 use crate::math::{Real, UnitVec3};
 
-use component::components;
+use component::{Component, components};
 use contour::Contour;
+use groups::Groups;
+use turned::Turned;
+use way::{Way, way_out};
 
-/// Parts in which two solids have gone through one another: for each a normal and contacts, and the
-/// vertices and edges of both that lie in any, whose proximities mislead.
+pub(super) use way::beyond;
+
+/// Parts in which two surfaces have gone through one another: for each a normal and contacts, and
+/// the vertices and edges of both that lie in any, whose proximities mislead.
 #[derive(Debug, Default)]
 pub(super) struct Tangle {
     pub(super) parts: Vec<(UnitVec3, Vec<Contact>)>,
@@ -40,19 +51,12 @@ impl Tangle {
         proximities: &[Proximity],
     ) -> Self {
         let mut tangle = Self::default();
-        if a.is_two_sided() || b.is_two_sided() {
-            return tangle;
-        }
         let contour = Contour::new(a, b, pairs);
-        if contour.links.is_empty() {
-            return tangle;
-        }
-        for component in components(a, b, &contour) {
-            let (normal, depth) = component.way_out([a.bounds(), b.bounds()]);
+        for (component, way) in parts(a, b, &contour) {
             let own = component.features();
             let told = |p: &Proximity| p.contact.separation <= Real::ZERO && holds(&own, p);
-            if depth > DEPTH_MAX || !proximities.iter().any(told) {
-                tangle.parts.push((normal, component.contacts(normal, depth)));
+            if way.depth > DEPTH_MAX || !proximities.iter().any(told) {
+                tangle.parts.push((way.normal, component.contacts(&way)));
                 tangle.drowned.extend(own);
             }
         }
@@ -64,6 +68,45 @@ impl Tangle {
     pub(super) fn covers(&self, proximity: &Proximity) -> bool {
         holds(&self.drowned, proximity)
     }
+}
+
+/// The components of a contour, and their ways out.
+///
+/// Where a surface has no inside, what belongs together depends on which side is taken for it.
+/// Where components that differ share lines, those are taken whose deepest is least.
+fn parts<A: Surface, B: Surface>(a: &A, b: &B, contour: &Contour) -> Vec<(Component, Way)> {
+    let mut groups = Groups::new(contour.knots.len());
+    let mut found = Vec::new();
+    for turns in 0..4 {
+        let [turn_a, turn_b] = [turns & 1 == 1, turns & 2 == 2];
+        if contour.links.is_empty() || turn_a && !a.is_two_sided() || turn_b && !b.is_two_sided() {
+            continue;
+        }
+        let a = Turned { surface: a, is_turned: turn_a };
+        let b = Turned { surface: b, is_turned: turn_b };
+        for component in components(&a, &b, contour) {
+            let way = way_out(&a, &b, &component);
+            let knots = component.knots.iter().map(|knot| contour.place(knot));
+            let first = knots.reduce(|first, knot| {
+                groups.join(first, knot);
+                first
+            });
+            found.push((first.unwrap_or(0), turns, component, way));
+        }
+    }
+    let mut deepest: BTreeMap<(u32, u32), Real> = BTreeMap::new();
+    for (knot, turns, _, way) in &mut found {
+        *knot = groups.root(*knot);
+        let depth = deepest.entry((*knot, *turns)).or_insert(way.depth);
+        *depth = way.depth.max(*depth);
+    }
+    let mut least: BTreeMap<u32, (Real, u32)> = BTreeMap::new();
+    for ((knot, turns), depth) in deepest {
+        let least = least.entry(knot).or_insert((depth, turns));
+        *least = (depth, turns).min(*least);
+    }
+    found.retain(|(knot, turns, ..)| least[knot].1 == *turns);
+    found.into_iter().map(|(.., component, way)| (component, way)).collect()
 }
 
 /// Whether features, which are sorted, hold a vertex of a proximity, or both edges.

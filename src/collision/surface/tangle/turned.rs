@@ -1,0 +1,59 @@
+//! Surfaces seen from behind.
+
+use alloc::vec::Vec;
+
+use crate::geometry::{Aabb, Surface};
+use crate::math::Vec3;
+
+/// A surface, or the same one with its inside out: what has no inside may have it on either side.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Turned<'a, S> {
+    pub(super) surface: &'a S,
+    pub(super) is_turned: bool,
+}
+
+impl<S: Surface> Surface for Turned<'_, S> {
+    fn bounds(&self) -> Aabb {
+        self.surface.bounds()
+    }
+
+    fn faces_near(&self, bounds: &Aabb, faces: &mut Vec<u32>) {
+        self.surface.faces_near(bounds, faces);
+    }
+
+    #[inline]
+    fn corners(&self, face: u32) -> [u32; 3] {
+        let [a, b, c] = self.surface.corners(face);
+        if self.is_turned { [a, c, b] } else { [a, b, c] }
+    }
+
+    #[inline]
+    fn sides(&self, face: u32) -> [u32; 3] {
+        let [a, b, c] = self.surface.sides(face);
+        if self.is_turned { [c, b, a] } else { [a, b, c] }
+    }
+
+    #[inline]
+    fn ends(&self, edge: u32) -> [u32; 2] {
+        self.surface.ends(edge)
+    }
+
+    #[inline]
+    fn position(&self, vertex: u32) -> Vec3 {
+        self.surface.position(vertex)
+    }
+
+    #[inline]
+    fn faces_at_edge(&self, edge: u32) -> impl Iterator<Item = u32> {
+        self.surface.faces_at_edge(edge)
+    }
+
+    #[inline]
+    fn faces_at_vertex(&self, vertex: u32) -> impl Iterator<Item = u32> {
+        self.surface.faces_at_vertex(vertex)
+    }
+
+    fn is_two_sided(&self) -> bool {
+        self.surface.is_two_sided()
+    }
+}

@@ -1,0 +1,115 @@
+//! The way out of an overlap.
+
+use alloc::vec::Vec;
+use core::cmp::Reverse;
+
+use super::component::Component;
+use crate::collision::surface::feet::normal_of;
+use crate::collision::surface::manifolds::grown;
+use crate::collision::surface::proximity::scaled;
+use crate::collision::surface::shell::{Shell, is_free};
+use crate::geometry::Surface;
+use crate::math::wide::{dot_wide, round_shift_wide, sub, to_i64};
+use crate::math::{Real, UnitVec3, Vec3};
+
+/// The direction in which to move B, and how far.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way {
+    pub(super) normal: UnitVec3,
+    pub(super) depth: Real,
+    /// How far along the normal A reaches, and from where on B does, as [`reach`] measures. `None`
+    /// if that is told by what is outside of the component.
+    pub(super) levels: Option<[i128; 2]>,
+}
+
+/// Of so many faces of either surface that the contour goes through, the normals are tried.
+const NORMALS_MAX: usize = 8;
+
+/// How much farther things are moved to see whether they come apart: 0.1 mm.
+const SLACK: i64 = (1 << 24) / 10_000;
+
+/// How far a point is along a direction, from another one: raw, times 2^30.
+pub(super) fn reach(normal: UnitVec3, point: Vec3, origin: Vec3) -> i128 {
+    dot_wide(normal.raw(), sub(point.raw(), origin.raw()))
+}
+
+/// A reach as a length.
+pub(super) fn length(reach: i128) -> Real {
+    Real::from_raw(to_i64(round_shift_wide(reach, 30)))
+}
+
+/// Moving A by a way and B by its opposite part, or the other way round.
+pub(in crate::collision::surface) fn beyond(normal: UnitVec3, depth: Real) -> [i64; 3] {
+    scaled(normal, depth + Real::from_raw(SLACK))
+}
+
+/// The same for a direction and its opposite.
+fn rank(normal: UnitVec3) -> UnitVec3 {
+    normal.max(-normal)
+}
+
+/// Of all ways that are known to free either surface from the component, the shortest: along the
+/// area of the contour, or along the normal of a face that the contour goes through. Of equal ones
+/// the nearest to the area.
+///
+/// If none frees any, it is the shortest that parts all that hangs together with the component:
+/// along the area, such a normal, or an axis. That may be farther than needed: if it is more than
+/// twice as far as the component reaches along the area, it is along the area, which frees a part
+/// at least.
+pub(super) fn way_out<A: Surface, B: Surface>(a: &A, b: &B, component: &Component) -> Way {
+    let area = component.normal();
+    let along = |normal: &UnitVec3| area.map_or(0, |area| dot_wide(area.raw(), normal.raw()));
+    let mut normals = Vec::new();
+    for (k, faces) in component.rims.iter().enumerate() {
+        let mut own: Vec<_> = match k {
+            0 => faces.iter().filter_map(|&face| normal_of(a, face)).collect(),
+            _ => faces.iter().filter_map(|&face| normal_of(b, face)).map(|n| -n).collect(),
+        };
+        own.sort_unstable_by_key(|normal| (Reverse(along(normal)), rank(*normal), *normal));
+        own.dedup();
+        own.truncate(NORMALS_MAX);
+        normals.extend(own);
+    }
+    let aligned = normals.iter().copied().filter(|normal| area.is_none() || along(normal) > 0);
+    let mut ways: Vec<_> = area.into_iter().chain(aligned).map(|n| component.way(n)).collect();
+    ways.sort_by_key(|way| (way.depth, Reverse(along(&way.normal)), rank(way.normal)));
+    let bounds = component.bounds();
+    let (mut of_a, mut of_b) = (Vec::new(), Vec::new());
+    // What is farther away than a surface is moved does not belong to this part.
+    let frees = |way: &&Way| {
+        let around = grown(&bounds, way.depth);
+        let out = beyond(way.normal, way.depth);
+        b.faces_near(&around, &mut of_b);
+        a.faces_near(&around, &mut of_a);
+        is_free((b, &of_b), out, a) || is_free((a, &of_a), out.map(|c| -c), b)
+    };
+    if let Some(way) = ways.iter().find(frees) {
+        return *way;
+    }
+    normals.extend(area);
+    let apart = apart(a, b, component, &normals);
+    let along_area = area.map(|area| component.way(area));
+    // Below 2^62.
+    let is_near = |way: &Way| way.depth.raw() < apart.depth.raw() / 2;
+    along_area.filter(is_near).unwrap_or(apart)
+}
+
+/// The shortest way that parts what hangs together with a component, and lessens it at once.
+fn apart<A: Surface, B: Surface>(a: &A, b: &B, component: &Component, normals: &[UnitVec3]) -> Way {
+    let shells = [Shell::of(a, &component.rims[0]), Shell::of(b, &component.rims[1])];
+    let origin = component.origin();
+    let axes = [UnitVec3::X, UnitVec3::Y, UnitVec3::Z];
+    let both = axes.iter().chain(normals).flat_map(|&normal| [normal, -normal]);
+    let area = component.normal();
+    let is_out = |n: &UnitVec3| area.is_none_or(|area| dot_wide(area.raw(), n.raw()) > 0);
+    let ways = both.filter(is_out).map(|normal| {
+        let [of_a, of_b] = shells.each_ref().map(|shell| {
+            let points = shell.vertices.iter();
+            points.map(move |&(_, point)| reach(normal, point, origin))
+        });
+        let depth = of_a.max().unwrap_or(0) - of_b.min().unwrap_or(0);
+        Way { normal, depth: length(depth), levels: None }
+    });
+    let shortest = ways.min_by_key(|way| (way.depth, rank(way.normal)));
+    shortest.unwrap_or_else(|| component.way(UnitVec3::Y))
+}
