@@ -9,7 +9,9 @@ pub use query::Filter;
 use alloc::vec::Vec;
 
 use super::Shape;
-use crate::partition::{DynamicTree, ID_MAX, Partition, PartitionError};
+use crate::geometry::Aabb;
+use crate::math::Vec3;
+use crate::partition::{DynamicTree, ID_MAX, Object, Partition, PartitionError};
 use crate::store::Slots;
 
 /// Shapes with ids, layers and user data, in a tree of their boxes.
@@ -65,11 +67,13 @@ impl Colliders {
         if !self.slots.has_room(ID_MAX as usize + 1) {
             return Err(ColliderError::Full);
         }
-        let id = self.slots.insert();
-        if let Err(error) = self.file(id.index, &collider.shape) {
-            self.slots.remove(id);
-            return Err(error);
+        let is_far = |bounds: Aabb| [bounds.min(), bounds.max()].into_iter().any(is_far);
+        if collider.shape.bounds().is_some_and(is_far) {
+            return Err(ColliderError::OutOfRange);
         }
+        let id = self.slots.insert();
+        // What is in range and new is taken.
+        self.file(id.index, &collider.shape)?;
         if self.tenants.len() <= id.slot() {
             self.tenants.resize(id.slot() + 1, None);
         }
@@ -160,6 +164,11 @@ impl Colliders {
             self.endless.retain(|&other| other != slot);
         }
     }
+}
+
+/// Whether a point is out of the range of the tree.
+fn is_far(point: Vec3) -> bool {
+    point.raw().into_iter().any(|c| c.unsigned_abs() > Object::COORDINATE_MAX.unsigned_abs())
 }
 
 impl From<PartitionError> for ColliderError {
