@@ -31,7 +31,9 @@ pub fn check(found: Option<&Manifold>, [a, b]: [&Twin; 2], origin: Vec3, margin:
     let n = float(found.normal);
     let separation = found.separation().raw() as f64 / f64::from(1 << 24);
     if gap > 0.0 {
-        assert!(gap_along(n, a, b) > -TOLERANCE, "{n:?} parts not what is apart by {gap}");
+        let along = gap_along(n, a, b);
+        assert!(along > -TOLERANCE, "{n:?} parts not what is apart by {gap}");
+        assert!(separation > along - TOLERANCE, "{separation}, but {along} along {n:?}");
         assert!(separation < gap.max(margin) + TOLERANCE, "{separation}, but a gap of {gap}");
     } else {
         let off = (separation - gap).abs();

@@ -6,6 +6,7 @@ mod golden;
 mod limits;
 mod set;
 mod table;
+mod touching;
 mod twin;
 
 use std::sync::Arc;

@@ -1,7 +1,7 @@
 //! Any two convex shapes: whether and where they touch.
 
 use verlock::collision::{Manifold, Shape, manifold_convex_convex, overlap};
-use verlock::geometry::{Capsule, ConvexHull, Cuboid, HalfSpace, Sphere, Triangle};
+use verlock::geometry::{Aabb, Capsule, ConvexHull, Cuboid, HalfSpace, Sphere, Triangle};
 use verlock::math::{Real, UnitVec3, Vec3};
 
 use super::draw::Draw;
@@ -27,7 +27,8 @@ pub fn manifold(bytes: &[u8]) -> bool {
         return false;
     }
     if overlap(&a, &b) {
-        let found = found.as_ref().expect("what overlaps touches");
+        let wide = || manifold_convex_convex(&a, &b, margin.max(Real::ZERO) + rounding(&a, &b));
+        let found = found.or_else(wide).expect("what overlaps touches");
         assert!(found.separation().raw() < TOLERANCE, "{a:?} {b:?}: {found:?}");
     }
     let Some(found) = found else { return false };
@@ -43,6 +44,12 @@ pub fn manifold(bytes: &[u8]) -> bool {
     });
     assert!(same && found.normal == there.normal, "{a:?} {b:?}: {found:?} moves to {there:?}");
     true
+}
+
+/// What axes are wrong by at most: a unit, and 2^-29 of what both shapes span.
+fn rounding(a: &Shape, b: &Shape) -> Real {
+    let bounds = [a, b].into_iter().filter_map(Shape::bounds).reduce(Aabb::union);
+    Real::from_raw(1 + bounds.map_or(0, |bounds| (bounds.span() >> 29) as i64))
 }
 
 /// Moved along the normal by the depth and a little, B no longer overlaps A.

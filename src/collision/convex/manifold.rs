@@ -23,7 +23,9 @@ use crate::math::{Real, UnitVec3, Vec3};
 /// faces and of all pairs of edges, faces first where it is nearly a tie. O(faces * vertices +
 /// edges^2) for hulls, less for most pairs.
 ///
-/// A margin counts from 0 to 16,384 m.
+/// The margin counts as in [`collide`](crate::collision::collide). What overlaps has a manifold,
+/// unless axes have to tell it and it does by no more than these are wrong: a unit of the last
+/// place and 2^-29 of what both shapes span.
 #[must_use]
 pub fn manifold_convex_convex(a: &Shape, b: &Shape, margin: Real) -> Option<Manifold> {
     match (a, b) {
@@ -41,6 +43,12 @@ pub fn manifold_convex_convex(a: &Shape, b: &Shape, margin: Real) -> Option<Mani
         }
     }
 }
+
+/// What the separation of rounded points is wrong by at most, raw.
+const ROUNDED: i64 = 4;
+
+/// How far apart [`closest_convex`] tells exactly, raw.
+const REACH_MAX: i64 = 1 << 40;
 
 fn manifold<W: Width>(a: &Solid, b: &Solid, pair: &Pair) -> Option<Manifold> {
     let radii = [a.radius, b.radius];
@@ -87,9 +95,16 @@ fn along_nearest<W: Width>(
 ) -> Option<Manifold> {
     let outlines = [a.outline_at::<W>(seam.normal), b.outline_at::<W>(-seam.normal)];
     let names = [a.name(nearest.on_a, &outlines[0]), b.name(nearest.on_b, &outlines[1])];
-    let deepest = seam.nearest::<W>(names, nearest);
-    if deepest.separation.raw() > seam.margin {
-        return None;
+    let mut deepest = seam.nearest::<W>(names, nearest);
+    let beyond = deepest.separation.raw() - seam.margin;
+    if beyond > 0 {
+        // The nearest points are rounded: who is as near as the margin is told exactly.
+        let reach = Real::from_raw((seam.radii[0] + seam.radii[1] + seam.margin).min(REACH_MAX));
+        let is_near = || closest_convex(&a.corners, &b.corners, Vec3::ZERO, reach).is_none();
+        if beyond > ROUNDED || !is_near() {
+            return None;
+        }
+        deepest.separation = Real::from_raw(seam.margin);
     }
     let mut contacts = match [a.segment(), b.segment()] {
         [Some(a), Some(b)] => side_by_side::<W>(seam, a, b),
@@ -127,7 +142,7 @@ fn side_by_side<W: Width>(seam: &Seam, a: [[i64; 3]; 2], b: [[i64; 3]; 2]) -> Co
     if !is_parallel {
         return contacts;
     }
-    // Radii of r in all, s to the side makes surfaces s^2 / 2 r farther apart: at most a tie.
+    // With radii of r together, s to the side parts surfaces by s^2 / 2 r: at most a tie.
     let aside_max = i128::from(2 * TIE) * i128::from(seam.radii[0] + seam.radii[1]);
     let mut keep = |features: [FeatureId; 2], on: [[i64; 3]; 2], is_end_of_b: bool| {
         let way = sub(on[1], on[0]);

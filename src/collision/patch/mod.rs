@@ -109,15 +109,17 @@ pub(super) fn patch<W: Width>(
     let mut contacts = clip::<W>(seam, [a, b]);
     let (corner, reach) = b.lowest::<W>(seam.normal);
     let deepest = W::round(reach - a.reach::<W>(seam.normal));
-    if contacts.is_empty() && deepest > 0 {
-        let nearest = nearest()?;
+    if contacts.is_empty()
+        && deepest > 0
+        && let Some(nearest) = nearest()
+    {
         let seam = Seam { normal: nearest.normal, ..*seam };
         let contact = seam.nearest::<W>([a.face, b.face], &nearest);
         let is_near = contact.separation.raw() <= seam.margin;
         return Manifold::new(seam.normal, is_near.then_some(contact).as_slice());
     }
-    if deepest <= 0 {
-        // It may have slipped past a side.
+    if deepest <= 0 || contacts.is_empty() {
+        // It may have slipped past a side, or touch though the normal, which is rounded, parts it.
         let deepest = seam.above::<W>([a.face, corner.name], corner.at, deepest);
         keep_deepest(&mut contacts, deepest);
     }

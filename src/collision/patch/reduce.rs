@@ -56,7 +56,8 @@ fn best(contacts: &[Contact], score: impl Fn(&Contact) -> i128) -> Option<Contac
     Some(*best)
 }
 
-/// The square of the part of `d` that is at right angles to the normal. Below 2^90.
+/// The square of the part of `d` that is at right angles to the normal. Points of a mesh are within
+/// 2^61 of one another along each axis: below 2^124.
 fn flat_length_sq(normal: UnitVec3, d: [i64; 3]) -> i128 {
     let along = round_shift_wide(dot_wide(normal.raw(), d), 30);
     dot_wide(d, d) - along * along
@@ -78,7 +79,7 @@ impl Shadow {
         })
     }
 
-    /// Twice the area of a triangle; its sign tells which way it turns. Below 2^88.
+    /// Twice the area of a triangle; its sign tells which way it turns. Below 2^124.
     #[inline]
     fn area(&self, [p, q, r]: [Vec3; 3]) -> i128 {
         let Self([u, v]) = *self;
