@@ -10,6 +10,10 @@ use crate::math::Real;
 /// shapes, one for each patch of meshes and height fields, sorted by the features of their first
 /// contacts.
 ///
+/// A margin, in metres, counts from 0 to [`MARGIN_MAX`](super::MARGIN_MAX), in every function that
+/// takes one: what is below is 0. All pairs of faces of two surfaces that are nearer are listed,
+/// which takes time and memory for each; so keep it small against the faces.
+///
 /// Boxes and hulls beside a mesh or a height field are surfaces too, see
 /// [`manifolds_mesh_mesh`](super::manifolds_mesh_mesh), and so are triangles, of both sides. What
 /// pairs cost is said there, and at [`manifold_convex_convex`]. Two half-spaces have no manifold.

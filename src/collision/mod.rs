@@ -18,7 +18,8 @@
 //! | height field | corner | face to hull | each face to each near |
 //!
 //! Spheres and capsules are hulls of one and of two points, with a radius. Meshes and height fields
-//! are surfaces: what is behind a face does not overlap. A set of shapes is a [`Colliders`].
+//! are surfaces, hollow to queries: what is behind a face does not overlap, and is as far from it
+//! as what is in front. A set of shapes is a [`Colliders`].
 //!
 //! Where two shapes touch, [`collide`] tells, in up to four points a patch:
 //!
@@ -28,6 +29,9 @@
 //! | sphere, capsule | corners | nearest points | nearest or least overlap | nearest parts |
 //! | box, hull, triangle | corners | nearest or least overlap | least overlap | nearest parts |
 //! | mesh, height field | vertices | nearest parts | nearest parts | nearest parts |
+//!
+//! Contacts know the inside of one-sided surfaces and lead out of it. Those with like normals share
+//! a manifold, of which there are eight a pair at most, the deepest; that goes for cloth too.
 
 #![allow(
     clippy::cast_possible_truncation,
@@ -43,6 +47,7 @@ mod distance;
 mod feature;
 mod few;
 mod manifold;
+mod margin;
 mod patch;
 mod shape;
 mod surface;
@@ -56,6 +61,7 @@ pub use convex::{manifold_convex_convex, manifold_cuboid_cuboid};
 pub use distance::{Closest, closest_points, distance, overlap};
 pub use feature::{FeatureId, FeatureKind};
 pub use manifold::{Contact, Manifold};
+pub use margin::MARGIN_MAX;
 pub use shape::Shape;
 pub use surface::{
     MeshShape, manifolds_capsule_surface, manifolds_half_space_surface,

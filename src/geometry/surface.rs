@@ -42,6 +42,12 @@ pub trait Surface {
     /// is behind them is inside.
     fn is_two_sided(&self) -> bool;
 
+    /// Whether every edge has two faces that go along it in opposite directions: there is no hole.
+    /// O(1). No, unless a surface says so.
+    fn is_closed(&self) -> bool {
+        false
+    }
+
     /// The triangle of a face. O(1).
     #[inline]
     fn triangle(&self, face: u32) -> Triangle {

@@ -57,7 +57,7 @@ impl Colliders {
         hits
     }
 
-    /// What overlaps a shape, by id; touching counts. See [`overlap`].
+    /// What overlaps a shape, by id; touching counts. See [`overlap`]: meshes are hollow.
     #[must_use]
     pub fn overlaps(&self, shape: &Shape, filter: &Filter) -> Vec<ColliderId> {
         let near = self.near(shape.bounds(), filter);
@@ -84,9 +84,8 @@ impl Colliders {
         all
     }
 
-    /// What a point, in metres, is in, by id; the surface counts.
-    ///
-    /// Points out of range are in half-spaces only where those near the border are.
+    /// What a point, in metres, is in, by id; the surface counts. See [`Shape::contains`]: meshes
+    /// and height fields are hollow, and a point out of the range of shapes is in nothing.
     #[must_use]
     pub fn at_point(&self, point: Vec3, filter: &Filter) -> Vec<ColliderId> {
         Sphere::new(point, Real::ZERO)

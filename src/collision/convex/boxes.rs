@@ -17,7 +17,7 @@ use crate::math::{Real, UnitVec3, Vec3};
 /// nearly as good, A's before B's. Boxes may be sheared. Of boxes that are apart near corners only,
 /// the separation is less than the distance.
 ///
-/// A margin counts from 0 to 16,384 m.
+/// The margin counts as in [`collide`](crate::collision::collide).
 ///
 /// ```
 /// use verlock::{Real, Vec3, real};

@@ -1,7 +1,7 @@
 //! What lies on a plane.
 
-use super::MARGIN_MAX;
 use super::solid::Solid;
+use crate::collision::margin::counted;
 use crate::collision::patch::{Contacts, Seam, reduce};
 use crate::collision::width::{Wide, Width};
 use crate::collision::{FeatureId, Manifold, Shape};
@@ -18,7 +18,7 @@ pub(super) fn manifold_half_space(
     let origin = shape.bounds()?.min().raw();
     let solid = Solid::new(shape, origin)?;
     let normal = ground.normal();
-    let margin = margin.raw().clamp(0, MARGIN_MAX.raw());
+    let margin = counted(margin).raw();
     let seam = Seam { normal, radii: [0, solid.radius], margin, origin };
     // Coordinates are at most 2^60: what is that deep is wide indeed.
     let level = sub(ground.point().raw(), origin);

@@ -1,6 +1,6 @@
 //! Two shapes that are near one another.
 
-use super::MARGIN_MAX;
+use crate::collision::margin::counted;
 use crate::collision::patch::Seam;
 use crate::collision::width::Narrow;
 use crate::geometry::Aabb;
@@ -21,7 +21,7 @@ impl Pair {
     /// None if their boxes are farther apart than the margin. Boxes span less than 2^41.
     #[inline]
     pub(super) fn new(a: &Aabb, b: &Aabb, margin: Real) -> Option<Self> {
-        let margin = margin.raw().clamp(0, MARGIN_MAX.raw());
+        let margin = counted(margin).raw();
         let [min_a, max_a, min_b, max_b] = [a.min(), a.max(), b.min(), b.max()].map(Vec3::raw);
         let mut span = 0;
         for k in 0..3 {

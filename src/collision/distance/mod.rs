@@ -28,7 +28,8 @@ pub struct Closest {
     pub part_b: u32,
 }
 
-/// The nearest points of two shapes; `None` where they [overlap].
+/// The nearest points of two shapes; `None` where they [overlap]. Meshes and height fields are
+/// hollow: what is behind a face is as far from it as what is in front.
 ///
 /// What is nearest is found exactly. Then points of flat-sided shapes are rounded once, the normal
 /// is as exact as a unit vector is, and surfaces of round ones are as far along the normal as their
@@ -38,8 +39,8 @@ pub fn closest_points(a: &Shape, b: &Shape) -> Option<Closest> {
     closest(&a.view(), &b.view())
 }
 
-/// The distance of two shapes, in metres; 0 where they [overlap], and only there. It is wrong by
-/// less than two units of the last place.
+/// The distance of two shapes, in metres; 0 where they [overlap], and only there: not within a
+/// mesh, which is hollow. It is wrong by less than two units of the last place.
 #[must_use]
 pub fn distance(a: &Shape, b: &Shape) -> Real {
     closest_points(a, b).map_or(Real::ZERO, |closest| closest.distance)
@@ -47,14 +48,21 @@ pub fn distance(a: &Shape, b: &Shape) -> Real {
 
 /// Whether two shapes have a point in common; touching counts. Exact, for a half-space as exact as
 /// the length of its normal.
+///
+/// Of a mesh or height field only the faces are its points: what is inside without touching one
+/// does not overlap. [`MeshShape::contains`](super::MeshShape::contains) tells what is inside, and
+/// [`collide`](super::collide) leads it out.
 #[must_use]
 pub fn overlap(a: &Shape, b: &Shape) -> bool {
     closest_points(a, b).is_none()
 }
 
 impl Shape {
-    /// Whether a point, in metres, is inside or on the surface; of a mesh or height field, on a
-    /// face. Exact. A point is in nothing that is out of the range of shapes.
+    /// Whether a point, in metres, is inside or on the surface; of a mesh or height field, which
+    /// are hollow to queries, whether it is on a face. Exact. What is out of the range of shapes is
+    /// in none.
+    ///
+    /// The inside of a closed mesh is told by [`MeshShape::contains`](super::MeshShape::contains).
     #[must_use]
     pub fn contains(&self, point: Vec3) -> bool {
         is_in_range(point) && closest(&self.view(), &View::Convex(Core::point(point))).is_none()

@@ -2,65 +2,24 @@
 
 use alloc::vec::Vec;
 
-use super::MeshShape;
-use super::contains::contains;
+use super::contains::is_within;
 use super::feet::{Feet, Foot};
 use super::manifolds::grown;
 use super::near::Near;
 use super::proximity::{along, scaled};
 use super::shell::{Shell, is_free};
-use super::skin::Skin;
 use super::tangle::beyond;
 use crate::collision::{Contact, FeatureId};
-use crate::geometry::{Aabb, HeightField, Surface, Triangle};
+use crate::geometry::{Aabb, Surface};
 use crate::math::wide::{add, sub};
 use crate::math::{Real, UnitVec3, Vec3};
-
-/// A surface that may have an inside.
-pub(super) trait Solid: Surface {
-    /// Whether what is behind its faces is within, for lack of any hole.
-    fn has_inside(&self) -> bool;
-
-    /// A face, if there is any.
-    fn first_face(&self) -> Option<u32> {
-        Some(0)
-    }
-}
-
-impl Solid for Skin {
-    fn has_inside(&self) -> bool {
-        true
-    }
-}
-
-impl Solid for MeshShape {
-    fn has_inside(&self) -> bool {
-        self.is_closed() && !self.is_two_sided()
-    }
-
-    fn first_face(&self) -> Option<u32> {
-        (!self.mesh().faces().is_empty()).then_some(0)
-    }
-}
-
-impl Solid for HeightField {
-    fn has_inside(&self) -> bool {
-        false
-    }
-}
-
-impl Solid for Triangle {
-    fn has_inside(&self) -> bool {
-        false
-    }
-}
 
 /// The normal and the contacts of two surfaces of which one is inside the other as a whole: what
 /// hangs together with its first face is. They must not intersect.
 ///
-/// O(1) unless the box around one is inside that around the other; a ray then, and if one is
-/// inside, O(n log n) for n faces of both.
-pub(super) fn contained<A: Solid, B: Solid>(a: &A, b: &B) -> Option<(UnitVec3, Vec<Contact>)> {
+/// O(1) unless the box around one is inside that around the other: O(n) for n faces then, and if
+/// one is inside, O(n log n).
+pub(super) fn contained<A: Surface, B: Surface>(a: &A, b: &B) -> Option<(UnitVec3, Vec<Contact>)> {
     if let Some(found) = within(a, b) {
         return Some(found);
     }
@@ -82,13 +41,16 @@ struct Exit {
 }
 
 /// The same if it is the second that is inside.
-fn within<A: Solid, B: Solid>(outer: &A, inner: &B) -> Option<(UnitVec3, Vec<Contact>)> {
-    if !outer.has_inside() || !outer.bounds().contains(&inner.bounds()) {
+fn within<A: Surface, B: Surface>(outer: &A, inner: &B) -> Option<(UnitVec3, Vec<Contact>)> {
+    let is_solid = outer.is_closed() && !outer.is_two_sided();
+    if !is_solid || !outer.bounds().contains(&inner.bounds()) {
         return None;
     }
-    let first = inner.first_face()?;
+    let mut faces = Vec::new();
+    inner.faces_near(&inner.bounds(), &mut faces);
+    let first = faces.into_iter().min()?;
     let start = inner.position(inner.corners(first)[0]);
-    if !contains(outer, start) {
+    if !is_within(outer, start) {
         return None;
     }
     let shell = Shell::of(inner, &[first]);
@@ -114,13 +76,13 @@ fn exit<A: Surface, B: Surface>(outer: &A, inner: &B, shell: &Shell, start: Vec3
     let [low, high] = [inside.min().raw(), inside.max().raw()];
     // Coordinates are below 2^61.
     let middle = Vec3::from_raw([0, 1, 2].map(|k| low[k] + (high[k] - low[k]) / 2));
-    let middle = if contains(outer, middle) { middle } else { start };
+    let middle = if is_within(outer, middle) { middle } else { start };
     let foot = foot(outer, middle)?;
     let exit = Exit { normal: -foot.normal, feature: foot.feature, point: foot.position };
     let height = |&(_, point): &(u32, Vec3)| along(exit.normal, sub(point.raw(), exit.point.raw()));
     let out = beyond(exit.normal, -shell.vertices.iter().map(height).min()?);
     if is_free((inner, &shell.faces), out, outer)
-        && !contains(outer, Vec3::from_raw(add(start.raw(), out)))
+        && !is_within(outer, Vec3::from_raw(add(start.raw(), out)))
     {
         return Some(exit);
     }

@@ -11,16 +11,19 @@ impl MeshShape {
     /// Whether a point is inside a closed mesh or on the surface of any. Exact; what is inside an
     /// open mesh means nothing. O(log n) and a little for each face that a ray along x meets.
     ///
+    /// It takes the mesh for solid, where [`Shape::contains`](crate::collision::Shape::contains)
+    /// and all queries take it for hollow.
+    ///
     /// By the parity of the crossings of that ray, moved by something that is infinitely little
     /// along y, and infinitely less along z: so it never meets an edge or a vertex.
     #[must_use]
     pub fn contains(&self, point: Vec3) -> bool {
-        contains(self, point)
+        is_within(self, point)
     }
 }
 
-/// The same of any surface.
-pub(super) fn contains<S: Surface>(surface: &S, point: Vec3) -> bool {
+/// Whether a point is inside a closed surface or on any, see [`MeshShape::contains`].
+pub(super) fn is_within<S: Surface>(surface: &S, point: Vec3) -> bool {
     let bounds = surface.bounds();
     if !bounds.overlaps(&Aabb::of_point(point)) {
         return false;

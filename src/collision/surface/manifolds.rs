@@ -2,13 +2,14 @@
 
 use alloc::vec::Vec;
 
-use super::contained::{Solid, contained};
+use super::contained::contained;
 use super::pair::NearSurfaces;
 use super::proximity::{Proximity, along, manifolds, scaled};
 use super::round::{manifolds_capsule_surface, manifolds_sphere_surface};
 use super::skin::Skin;
 use super::tangle::Tangle;
-use super::{DEPTH_MAX, MeshShape, REACH_MAX};
+use super::{DEPTH_MAX, MeshShape};
+use crate::collision::margin::counted;
 use crate::collision::patch::reduce;
 use crate::collision::{Contact, FeatureId, Manifold, Shape};
 use crate::geometry::{Aabb, HalfSpace, HeightField, Surface};
@@ -69,7 +70,7 @@ pub(in crate::collision) fn manifolds_shape_height_field(
     with_surface(a, b, margin, out);
 }
 
-fn with_surface<B: Solid>(a: &Shape, b: &B, margin: Real, out: &mut Vec<Manifold>) {
+fn with_surface<B: Surface>(a: &Shape, b: &B, margin: Real, out: &mut Vec<Manifold>) {
     let same = |feature| feature;
     match a {
         Shape::HalfSpace(a) => manifolds_half_space_surface(a, b, margin, out),
@@ -110,14 +111,14 @@ pub fn manifolds_half_space_surface<S: Surface>(
         let on_a = on_b - Vec3::from_raw(scaled(normal, separation));
         let features = [FeatureId::face(0), FeatureId::vertex(vertex)];
         let contact = Contact { features, on_a, on_b, separation };
-        (separation <= margin).then_some(Proximity { normal, contact })
+        (separation <= counted(margin)).then_some(Proximity { normal, contact })
     });
     manifolds(&near.collect::<Vec<_>>(), out);
 }
 
 /// Of two surfaces, the first better the smaller one. `name` tells what features of the first are
 /// called.
-fn surfaces<A: Solid, B: Solid>(
+fn surfaces<A: Surface, B: Surface>(
     a: &A,
     b: &B,
     margin: Real,
@@ -134,7 +135,7 @@ fn surfaces<A: Solid, B: Solid>(
     of_pairs(a, b, &mut pairs, margin, name, out);
 }
 
-fn of_pairs<A: Solid, B: Solid>(
+fn of_pairs<A: Surface, B: Surface>(
     a: &A,
     b: &B,
     pairs: &mut [[u32; 2]],
@@ -175,7 +176,7 @@ fn of_pairs<A: Solid, B: Solid>(
 
 /// How far apart faces may be that touch or have passed through one another.
 fn reach(margin: Real) -> Real {
-    margin.clamp(DEPTH_MAX, REACH_MAX)
+    counted(margin).max(DEPTH_MAX)
 }
 
 /// A box grown to every side. Coordinates are below 2^61.

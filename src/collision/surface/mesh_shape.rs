@@ -39,8 +39,11 @@ impl MeshShape {
         Self { is_two_sided: true, ..self }
     }
 
-    /// The same mesh, which keeps this far from others, in metres: half of what two sheets of it
-    /// would keep. It is no geometry: separations are those of the bare faces.
+    /// The same mesh with a number that is kept for whoever solves its contacts: how far it is to
+    /// stay from others, in metres, half of what two sheets of it are to keep.
+    ///
+    /// It is no geometry, and nothing here reads it: queries, contacts and separations are those of
+    /// the bare faces. Add what both of a pair have to the margin, and take it off separations.
     ///
     /// # Errors
     /// [`ShapeError::NegativeRadius`], or [`ShapeError::TooLong`] above [`Sphere::RADIUS_MAX`].
@@ -84,7 +87,7 @@ impl MeshShape {
         &self.tree
     }
 
-    /// How far it keeps others off, in metres.
+    /// How far it is to stay from others, in metres; see [`with_thickness`](Self::with_thickness).
     #[must_use]
     pub const fn thickness(&self) -> Real {
         self.thickness
@@ -154,5 +157,10 @@ impl Surface for MeshShape {
     #[inline]
     fn is_two_sided(&self) -> bool {
         self.is_two_sided
+    }
+
+    #[inline]
+    fn is_closed(&self) -> bool {
+        self.features.is_closed
     }
 }

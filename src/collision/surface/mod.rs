@@ -7,6 +7,7 @@
 
 mod contained;
 mod contains;
+mod escape;
 mod features;
 mod feet;
 mod manifolds;
@@ -30,7 +31,7 @@ pub use round::{manifolds_capsule_surface, manifolds_sphere_surface};
 
 use crate::math::Real;
 
-/// Nothing farther apart touches, whatever the margin: 65,536 m.
+/// Nothing is looked for farther away: 65,536 m. Margins and radii together are below.
 pub(super) const REACH_MAX: Real = Real::from_int(1 << 16);
 
 /// How deep what is nearest still tells the way out: 2 mm.

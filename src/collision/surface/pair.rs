@@ -2,11 +2,12 @@
 
 use alloc::vec::Vec;
 
+use super::DEPTH_MAX;
 use super::feet::Feet;
 use super::near::Near;
 use super::proximity::Proximity;
 use super::ridges::{Ridge, crossing};
-use super::{DEPTH_MAX, REACH_MAX};
+use crate::collision::margin::counted;
 use crate::collision::{Contact, FeatureId};
 use crate::geometry::Surface;
 use crate::math::Real;
@@ -40,7 +41,7 @@ impl<'a, A: Surface, B: Surface> NearSurfaces<'a, A, B> {
             pair[1] = names.partition_point(|&name| name < pair[1]) as u32;
         }
         let faces_b = names.iter().map(|&face| Near::of(b, face)).collect();
-        Self { a, b, faces_a, faces_b, pairs: found, margin: margin.min(REACH_MAX) }
+        Self { a, b, faces_a, faces_b, pairs: found, margin: counted(margin) }
     }
 
     /// All contacts, sorted by their features.

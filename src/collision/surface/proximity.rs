@@ -35,19 +35,18 @@ const MANIFOLDS_MAX: usize = 8;
 /// Normals whose product is above this are one: a cosine of 0.996, 5 degrees.
 const LIKE: i128 = (1 << 60) / 1000 * 996;
 
-/// Adds the manifolds of some contacts, which are sorted: those with like normals share one, and of
-/// each at most four remain.
+/// Adds the manifolds of some contacts, of which no two have the same features: those with like
+/// normals share one, and of each at most four remain.
 ///
-/// The deepest contact leads the first manifold, then each that is like none before leads another.
-/// What is left over when there are eight is dropped: it is neither the deepest nor alone.
+/// The deepest contact leads the first manifold, then, from deep to shallow, each that is like no
+/// leader before leads another. What is like none of eight is dropped: it is shallower than each of
+/// these, or as deep as one whose features are lower.
 pub(super) fn manifolds(all: &[Proximity], out: &mut Vec<Manifold>) {
-    let Some(deepest) = all.iter().min_by_key(|p| (p.contact.separation, p.contact.features))
-    else {
-        return;
-    };
-    let mut normals = Vec::from([deepest.normal]);
-    let mut members: Vec<Vec<Contact>> = Vec::from([Vec::new()]);
-    for Proximity { normal, contact } in all {
+    let mut sorted: Vec<_> = all.iter().collect();
+    sorted.sort_unstable_by_key(|p| (p.contact.separation, p.contact.features));
+    let mut normals: Vec<UnitVec3> = Vec::new();
+    let mut members: Vec<Vec<Contact>> = Vec::new();
+    for Proximity { normal, contact } in sorted {
         let is_like = |other: &UnitVec3| dot_wide(other.raw(), normal.raw()) > LIKE;
         let place = match normals.iter().position(is_like) {
             Some(place) => place,

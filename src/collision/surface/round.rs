@@ -2,12 +2,12 @@
 
 use alloc::vec::Vec;
 
-use super::REACH_MAX;
 use super::feet::Feet;
 use super::manifolds::grown;
 use super::near::{Near, is_near};
 use super::proximity::{Proximity, along, manifolds, scaled};
 use super::ridges::{Ridge, crossing};
+use crate::collision::margin::counted;
 use crate::collision::{Contact, FeatureId, Manifold};
 use crate::geometry::{
     Aabb, Capsule, Feature, Segment, Sphere, Surface, closest_point_segment, normal_point_segment,
@@ -17,17 +17,24 @@ use crate::math::{Real, UnitVec3, Vec3};
 
 /// Adds the manifolds of a sphere and a surface that are nearer than `margin`.
 ///
-/// A center that is inside a one-sided surface is pushed out the nearest way, if that is no longer
-/// than radius and margin. O(k log k) for k faces near the sphere.
+/// A center that is inside a one-sided surface is pushed out the nearest way: whatever its depth if
+/// the surface [is closed](Surface::is_closed), else if that is no longer than radius and margin.
+/// The margin counts as in [`collide`](crate::collision::collide). O(k log k) for k faces near the
+/// sphere; where it touches none, and its center is within the bounds of a closed surface, also
+/// O(log n) and a little for each face that a ray meets.
 pub fn manifolds_sphere_surface<S: Surface>(
     sphere: &Sphere,
     surface: &S,
     margin: Real,
     out: &mut Vec<Manifold>,
 ) {
-    let round = Round::new(surface, [sphere.center(); 2], sphere.radius(), margin);
+    let round = Round {
+        names: [FeatureId::face(0); 2],
+        ..Round::new(surface, [sphere.center(); 2], sphere.radius(), margin)
+    };
     let mut found = Vec::new();
-    round.ball(0, FeatureId::face(0), &mut found);
+    round.ball(0, &mut found);
+    round.escape(&mut found);
     found.sort_unstable_by_key(Proximity::key);
     manifolds(&found, out);
 }
@@ -35,7 +42,17 @@ pub fn manifolds_sphere_surface<S: Surface>(
 /// Adds the manifolds of a capsule and a surface that are nearer than `margin`.
 ///
 /// An end that is inside a one-sided surface is pushed out the nearest way, if that is no longer
-/// than radius and margin. O(k log k) for k faces near the capsule.
+/// than radius and margin.
+///
+/// Deeper, and where the segment between the ends goes through faces, one contact leads the whole
+/// capsule to the front of a plane: of a face that it goes through or, in a surface that
+/// [is closed](Surface::is_closed), at the nearest place to an end inside; of several, where that
+/// is nearest, and of a two-sided face to the nearer side. That contact's point of the surface is
+/// on this plane, maybe beyond the face.
+///
+/// The margin counts as in [`collide`](crate::collision::collide). O(k log k) for k faces near the
+/// capsule; where it touches none, and an end is within the bounds of a closed surface, also
+/// O(log n) and a little for each face that a ray meets.
 pub fn manifolds_capsule_surface<S: Surface>(
     capsule: &Capsule,
     surface: &S,
@@ -44,42 +61,46 @@ pub fn manifolds_capsule_surface<S: Surface>(
 ) {
     let round = Round::new(surface, capsule.ends(), capsule.radius(), margin);
     let mut found = Vec::new();
-    round.ball(0, FeatureId::vertex(0), &mut found);
+    round.ball(0, &mut found);
     if capsule.ends()[0] != capsule.ends()[1] {
-        round.ball(1, FeatureId::vertex(1), &mut found);
+        round.ball(1, &mut found);
         round.wire(&mut found);
     }
+    round.escape(&mut found);
     found.sort_unstable_by_key(Proximity::key);
     manifolds(&found, out);
 }
 
 /// Something round, and the faces near it.
-struct Round<'a, S> {
-    surface: &'a S,
-    segment: Segment,
-    radius: Real,
+pub(super) struct Round<'a, S> {
+    pub(super) surface: &'a S,
+    pub(super) segment: Segment,
+    pub(super) radius: Real,
     /// From the segment as far as anything touches.
-    reach: Real,
-    faces: Vec<Near>,
+    pub(super) reach: Real,
+    pub(super) faces: Vec<Near>,
+    /// What its ends are called.
+    pub(super) names: [FeatureId; 2],
 }
 
 impl<'a, S: Surface> Round<'a, S> {
     fn new(surface: &'a S, ends: [Vec3; 2], radius: Real, margin: Real) -> Self {
-        let reach = radius + margin.clamp(Real::ZERO, REACH_MAX - radius);
+        let reach = radius + counted(margin);
         let segment = Segment::between(ends);
         let mut names = Vec::new();
         surface.faces_near(&grown(&segment.bounds(), reach), &mut names);
         let faces = names.into_iter().map(|face| Near::of(surface, face)).collect();
-        Self { surface, segment, radius, reach, faces }
+        let names = [0, 1].map(FeatureId::vertex);
+        Self { surface, segment, radius, reach, faces, names }
     }
 
     /// The feet of an end.
-    fn ball(&self, end: usize, feature: FeatureId, found: &mut Vec<Proximity>) {
+    fn ball(&self, end: usize, found: &mut Vec<Proximity>) {
         let center = self.segment.ends()[end];
         let mut feet = Feet::default();
         for foot in feet.of(self.surface, center, self.faces.iter(), self.reach) {
             let contact = Contact {
-                features: [feature, foot.feature],
+                features: [self.names[end], foot.feature],
                 on_a: step(center, foot.normal, self.radius),
                 on_b: foot.position,
                 separation: foot.separation - self.radius,
@@ -140,6 +161,6 @@ impl<'a, S: Surface> Round<'a, S> {
 }
 
 /// A point moved along a unit vector.
-fn step(point: Vec3, normal: UnitVec3, length: Real) -> Vec3 {
+pub(super) fn step(point: Vec3, normal: UnitVec3, length: Real) -> Vec3 {
     point + Vec3::from_raw(scaled(normal, length))
 }

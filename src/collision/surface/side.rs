@@ -3,7 +3,8 @@
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
-use super::near::fold;
+use super::feet::normal_of;
+use super::near::{fold, tip};
 use crate::collision::{FeatureId, FeatureKind};
 use crate::geometry::{Surface, orient3d};
 use crate::math::Vec3;
@@ -16,11 +17,12 @@ pub(super) enum Side {
     Outside,
     /// Behind it.
     Inside,
-    /// Behind it, but beyond an open border: neither.
-    Beyond,
 }
 
 /// The side of a point to which this feature is nearest, of all that touch it at least.
+///
+/// At an open border it is outside too where the way to it leads away from the faces, though they
+/// are seen from behind: what is beside a sheet is not in it. That is as exact as a unit vector.
 pub(super) fn side<S: Surface>(surface: &S, point: Vec3, feature: FeatureId) -> Side {
     if surface.is_two_sided() {
         return Side::Outside;
@@ -46,7 +48,7 @@ fn of_sign(height: Ordering) -> Side {
 fn at_edge<S: Surface>(surface: &S, point: Vec3, edge: u32) -> Side {
     let mut faces = surface.faces_at_edge(edge);
     match [faces.next(), faces.next(), faces.next()] {
-        [Some(face), None, _] => before([height(surface, face, point)]),
+        [Some(face), None, _] => at_border(surface, point, [face], [edge]),
         [Some(face), Some(other), None] => match fold(surface, edge, [face, other]) {
             Ordering::Less => Side::Outside,
             Ordering::Greater => Side::Inside,
@@ -64,10 +66,34 @@ fn at_edge<S: Surface>(surface: &S, point: Vec3, edge: u32) -> Side {
     }
 }
 
-/// At a border: outside if some face there is not seen from behind.
-fn before(heights: impl IntoIterator<Item = Ordering>) -> Side {
-    let is_before = heights.into_iter().any(|height| height != Ordering::Less);
-    if is_before { Side::Outside } else { Side::Beyond }
+/// At a border with these faces and edges: outside if some face is not seen from behind, or if the
+/// way from some edge leads away from its face. Else it is right behind.
+fn at_border<S: Surface>(
+    surface: &S,
+    point: Vec3,
+    faces: impl IntoIterator<Item = u32>,
+    edges: impl IntoIterator<Item = u32>,
+) -> Side {
+    let mut heights = faces.into_iter().map(|face| height(surface, face, point));
+    if heights.any(|height| height != Ordering::Less)
+        || edges.into_iter().any(|edge| is_beside(surface, point, edge))
+    {
+        return Side::Outside;
+    }
+    Side::Inside
+}
+
+/// Whether a point is beyond an edge that has one face: on the other side of it than the face.
+///
+/// Widths: sides and ways are below 2^42, a unit vector has 30 bits: products are below 2^117.
+fn is_beside<S: Surface>(surface: &S, point: Vec3, edge: u32) -> bool {
+    let mut faces = surface.faces_at_edge(edge);
+    let (Some(face), None) = (faces.next(), faces.next()) else { return false };
+    let Some(normal) = normal_of(surface, face) else { return true };
+    let [from, to] = surface.ends(edge).map(|end| surface.position(end).raw());
+    let across = crate::math::determinant::cross(sub(to, from), normal.raw());
+    let side = |to: Vec3| dot(across, sub(to.raw(), from)).signum();
+    side(point) * side(tip(surface, edge, face)) < 0
 }
 
 /// The two sides of a face that leave a vertex, in the order of its corners, and their normal.
@@ -87,7 +113,9 @@ struct Wedge {
 fn at_vertex<S: Surface>(surface: &S, point: Vec3, vertex: u32) -> Side {
     let faces = || surface.faces_at_vertex(vertex);
     if !is_closed(surface, vertex) {
-        return before(faces().map(|face| height(surface, face, point)));
+        let at_vertex = |edge: &u32| surface.ends(*edge).contains(&vertex);
+        let edges = faces().flat_map(|face| surface.sides(face)).filter(at_vertex);
+        return at_border(surface, point, faces(), edges);
     }
     let origin = surface.position(vertex).raw();
     let to_point = sub(point.raw(), origin);

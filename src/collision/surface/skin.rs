@@ -156,4 +156,8 @@ impl Surface for Skin {
     fn is_two_sided(&self) -> bool {
         false
     }
+
+    fn is_closed(&self) -> bool {
+        true
+    }
 }
