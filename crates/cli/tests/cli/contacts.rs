@@ -50,3 +50,24 @@ fn contacts_are_painted() {
     // Numbers are as in OBJ files.
     sandbox.run(&[&command[..4], &["--margin", "1e-3"]].concat()).expect(0);
 }
+
+/// All pairs of near faces are listed: a margin that makes that too many is refused, at once.
+#[test]
+fn margins_that_reach_everything_are_refused() {
+    use std::fmt::Write;
+
+    let sandbox = Sandbox::new("contacts-margin");
+    let mut floor = String::new();
+    for k in 0..60 * 60 {
+        writeln!(floor, "v {} 0 {}", k % 60, k / 60).expect("a string");
+    }
+    for k in (1..59 * 60).filter(|k| k % 60 != 0) {
+        writeln!(floor, "f {k} {} {}", k + 60, k + 1).expect("a string");
+        writeln!(floor, "f {} {} {}", k + 1, k + 60, k + 61).expect("a string");
+    }
+    sandbox.write("grid.obj", floor.as_bytes());
+    let command = ["contacts", "grid.obj", "grid.obj", "--margin", "200"];
+    let refused = sandbox.run(&command).expect(2);
+    assert!(refused.stderr.contains("more than 10000000 pairs"), "{}", refused.stderr);
+    sandbox.run(&["contacts", "grid.obj", "grid.obj", "--margin", "2"]).expect(0);
+}
