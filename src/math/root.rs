@@ -39,6 +39,14 @@ pub const fn isqrt_wide(v: u128) -> u128 {
     root >> (shift / 2)
 }
 
+/// The smallest `r` with `v <= r^2`, at most 2^64.
+#[inline]
+#[must_use]
+pub const fn isqrt_wide_up(v: u128) -> u128 {
+    let root = isqrt_wide(v);
+    root + (root * root < v) as u128
+}
+
 /// The integer nearest to the real root of `v`, at most 2^32. There are no ties: `r + 1/2` has
 /// the square `r^2 + r + 1/4`, which is no integer.
 #[inline]

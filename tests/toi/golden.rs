@@ -26,5 +26,5 @@ fn times_are_as_accepted() {
             }
         }
     }
-    assert_eq!(Hash::of(&bytes).to_string(), "4551ed5e6b464bc5d1f318a6c97bf508");
+    assert_eq!(Hash::of(&bytes).to_string(), "47cc284a0517721d00461c0d0bbca5d0");
 }

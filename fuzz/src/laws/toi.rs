@@ -1,7 +1,11 @@
-//! Any two features in motion: when they touch.
+//! Any two features in motion, and small meshes of them: when they touch.
+
+use std::sync::Arc;
 
 use verlock::Vec3;
+use verlock::collision::{MeshMotion, MeshShape};
 use verlock::geometry::sweep::{Impact, Motion, Sweep};
+use verlock::geometry::{Triangle, TriangleMesh};
 
 use super::draw::Draw;
 use super::oracle;
@@ -48,7 +52,49 @@ pub fn toi(bytes: &[u8]) -> bool {
     assert_eq!(sweep(&moved, is_face), here, "{scaled:?} moved by {way:?}");
     let turned = scaled.map(|ends| ends.map(|[x, y, z]| [-y, z, x]));
     assert_eq!(sweep(&turned, is_face), here, "{scaled:?} turned");
+    meshes(&corners, &mut draw);
     found.is_some()
+}
+
+/// Two meshes, each of a face and the same one elsewhere, touch no later than any two of their
+/// faces: what is told of one pair does not change what is known of another.
+fn meshes(corners: &Corners, draw: &mut Draw<'_>) {
+    let work_max = [1, 2, 50, 4096][draw.below(4)];
+    let sweep = Sweep { work_max, ..Sweep::default() };
+    let mut offset = || [(); 3].map(|()| (draw.any::<i64>() % 64) * (FAR / 64));
+    let [away, also] = [offset(), offset()];
+    let [p, q, r, s] = *corners;
+    let places = |face: [[[i64; 3]; 2]; 3], away: [i64; 3]| {
+        let there = face.map(|ends| ends.map(|p| [0, 1, 2].map(|k| p[k] + away[k])));
+        let all = face.into_iter().chain(there);
+        let all = all.map(|[start, end]| [Vec3::from_raw(start), Vec3::from_raw(end)]);
+        all.collect::<Vec<_>>()
+    };
+    let meshes = [places([p, q, r], away), places([q, r, s], also)].map(|ends| {
+        let faces = [[0, 1, 2], [3, 4, 5]];
+        let mesh = TriangleMesh::new(ends.iter().map(|ends| ends[0]), faces).expect("in range");
+        (MeshShape::new(Arc::new(mesh)), ends.iter().map(|ends| ends[1]).collect::<Vec<_>>())
+    });
+    let faces = meshes.each_ref().map(|(shape, ends)| {
+        shape.mesh().faces().iter().map(|face| {
+            let at = |places: &[Vec3]| Triangle::new(face.map(|corner| places[corner as usize]));
+            let [start, end] = [shape.vertices(), ends].map(|places| at(places).expect("in range"));
+            Motion::new(start, end)
+        })
+    });
+    let [a, b] = meshes.each_ref().map(|(shape, ends)| MeshMotion::new(shape, ends));
+    let found = a.expect("in range").time_of_impact(&b.expect("in range"), &sweep);
+    let [faces_a, faces_b] = faces;
+    for face_a in faces_a {
+        for face_b in faces_b.clone() {
+            let pair = sweep.triangle_triangle(face_a, face_b);
+            // Where searches are not cut, a pair touches when the meshes do, or later.
+            let is_known = pair.is_none_or(|pair| {
+                pair.is_cut || found.as_ref().is_some_and(|found| found.time <= pair.time)
+            });
+            assert!(is_known, "{meshes:?} {sweep:?}: {found:?}, {pair:?}");
+        }
+    }
 }
 
 /// Lets the first corner end where another one does, or in the middle between two.

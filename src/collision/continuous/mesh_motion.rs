@@ -4,9 +4,9 @@ use alloc::vec::Vec;
 
 use super::TimeOfImpact;
 use crate::collision::{FeatureId, MeshShape};
-use crate::geometry::sweep::{Motion, Sweep, back_off};
+use crate::geometry::sweep::{Impact, Motion, Sweep, back_off};
 use crate::geometry::{Surface, Triangle, overlap_triangle_triangle};
-use crate::math::{Unit, Vec3};
+use crate::math::{Real, Unit, Vec3};
 use crate::partition::bvh::{RefitError, SweptBvh};
 
 /// A mesh whose vertices move evenly, each along a straight line, from where they are to their
@@ -37,11 +37,24 @@ impl<'a> MeshMotion<'a> {
     /// bare faces: [`MeshShape::thickness`] does not count.
     ///
     /// They touch at once where faces meet already; otherwise first where a vertex meets a face, or
-    /// an edge an edge. Exact. Near to one another are found by trees around the whole motion:
-    /// O(n + k log k) for n faces and k nodes and pairs that are near.
+    /// an edge an edge. Exact. Faces are looked at in the order of the times at which the boxes
+    /// around them meet, and no more of them once that is later than a contact: O(n + k log k) for
+    /// n faces and k nodes and pairs whose boxes meet before the first contact or then. What lands
+    /// flat, in one plane with what it lands on, costs up to [`Sweep::work_max`] for most of these
+    /// pairs, unless the plane is one of the axes'; and the larger the gap is, the more they are.
     #[must_use]
     pub fn time_of_impact(&self, other: &Self, sweep: &Sweep) -> Option<TimeOfImpact> {
-        self.first(other, sweep, &self.near(other, sweep))
+        let mut found = TimeOfImpact::none();
+        self.tree.visit_pairs(&other.tree, sweep.gap, Unit::ONE, |[a, b], first| {
+            if first == Unit::ZERO
+                && overlap_triangle_triangle(&self.face(a).start, &other.face(b).start)
+            {
+                found.add(Some(Impact::AT_ONCE), [FeatureId::face(a), FeatureId::face(b)]);
+            }
+            self.touch(other, sweep, [a, b], &mut found);
+            found.time
+        });
+        found.found()
     }
 
     /// Until when both meshes can move such that, rounded as [`at`](Self::at) does, no face of one
@@ -51,8 +64,9 @@ impl<'a> MeshMotion<'a> {
     /// With a gap of 2 raw units or more, which no rounding bridges, they never trade sides either.
     #[must_use]
     pub fn advance(&self, other: &Self, sweep: &Sweep) -> Unit {
-        let near = self.near(other, sweep);
-        let Some(impact) = self.first(other, sweep, &near) else { return Unit::ONE };
+        let Some(impact) = self.time_of_impact(other, sweep) else { return Unit::ONE };
+        // Either is moved by half a raw unit at most.
+        let near = self.tree.pairs(&other.tree, Real::from_raw(1), impact.time);
         back_off(impact.time, |time| {
             let meet = |&[a, b]: &[u32; 2]| {
                 overlap_triangle_triangle(&self.face(a).at(time), &other.face(b).at(time))
@@ -61,48 +75,24 @@ impl<'a> MeshMotion<'a> {
         })
     }
 
-    /// The faces that come near one another, sorted.
-    fn near(&self, other: &Self, sweep: &Sweep) -> Vec<[u32; 2]> {
-        self.tree.pairs(&other.tree, sweep.gap)
-    }
-
-    fn first(&self, other: &Self, sweep: &Sweep, near: &[[u32; 2]]) -> Option<TimeOfImpact> {
-        let mut found = TimeOfImpact::none();
-        for &[a, b] in near {
-            if overlap_triangle_triangle(&self.face(a).start, &other.face(b).start) {
-                found.add(Unit::ZERO, [FeatureId::face(a), FeatureId::face(b)], false);
-            }
-        }
-        for &[a, b] in near {
-            self.touch(other, sweep, [a, b], &mut found);
-        }
-        found.found()
-    }
-
     /// Looks at all that belongs to two faces. Everything belongs to the lowest face that has it:
     /// where two features come near, so do these faces.
     fn touch(&self, other: &Self, sweep: &Sweep, [a, b]: [u32; 2], found: &mut TimeOfImpact) {
         for vertex in self.own_vertices(a) {
             let features = [FeatureId::vertex(vertex), FeatureId::face(b)];
             let (vertex, face) = (self.vertex(vertex), other.face(b).corners());
-            if let Some(impact) = sweep.vertex_face_until(found.time, vertex, face) {
-                found.add(impact.time, features, impact.is_cut);
-            }
+            found.add(sweep.vertex_face_until(found.time, vertex, face), features);
         }
         for vertex in other.own_vertices(b) {
             let features = [FeatureId::face(a), FeatureId::vertex(vertex)];
             let (vertex, face) = (other.vertex(vertex), self.face(a).corners());
-            if let Some(impact) = sweep.vertex_face_until(found.time, vertex, face) {
-                found.add(impact.time, features, impact.is_cut);
-            }
+            found.add(sweep.vertex_face_until(found.time, vertex, face), features);
         }
         for edge_a in self.own_edges(a) {
             for edge_b in other.own_edges(b) {
                 let features = [FeatureId::edge(edge_a), FeatureId::edge(edge_b)];
                 let (edge_a, edge_b) = (self.edge(edge_a), other.edge(edge_b));
-                if let Some(impact) = sweep.edge_edge_until(found.time, edge_a, edge_b) {
-                    found.add(impact.time, features, impact.is_cut);
-                }
+                found.add(sweep.edge_edge_until(found.time, edge_a, edge_b), features);
             }
         }
     }

@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::collision::FeatureId;
+use crate::geometry::sweep::Impact;
 use crate::math::Unit;
 
 /// That two moving shapes may touch, not before when, and with what.
@@ -24,8 +25,12 @@ impl TimeOfImpact {
         Self { time: Unit::ONE, features: Vec::new(), is_cut: false }
     }
 
-    /// Takes in a contact that is no later than what has been found.
-    pub(super) fn add(&mut self, time: Unit, features: [FeatureId; 2], is_cut: bool) {
+    /// Takes in a contact, if there is one, unless it is later than what has been found.
+    pub(super) fn add(&mut self, impact: Option<Impact>, features: [FeatureId; 2]) {
+        let Some(Impact { time, is_cut, .. }) = impact.filter(|impact| impact.time <= self.time)
+        else {
+            return;
+        };
         if time < self.time {
             self.features.clear();
             self.is_cut = false;

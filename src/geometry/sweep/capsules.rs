@@ -2,7 +2,7 @@
 
 use super::{Impact, Motion, Sweep};
 use crate::geometry::{Capsule, Segment, Sphere, closest_segment_segment, normal_segment_segment};
-use crate::math::root::isqrt_wide;
+use crate::math::root::isqrt_wide_up;
 use crate::math::wide::{dot_wide, sub, to_i32, to_i64};
 use crate::math::{Unit, UnitVec3, Vec3};
 
@@ -70,9 +70,7 @@ fn parted_until(
     // The normal is as long as 2^30, but for a rounding: its square is below 2^61, and the reach
     // along it below 2^72.
     let square = dot_wide(normal.raw(), normal.raw()).unsigned_abs();
-    let floor = isqrt_wide(square);
-    let length = floor + u128::from(floor * floor < square);
-    let reach = i128::from(reach) * length.cast_signed();
+    let reach = i128::from(reach) * isqrt_wide_up(square).cast_signed();
     let (now, end) = (i128::from(time.raw()), i128::from(Unit::ONE.raw()));
     let mut until = None;
     for p in a {

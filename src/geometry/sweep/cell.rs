@@ -1,5 +1,7 @@
 //! Boxes of times and places.
 
+use crate::math::Unit;
+
 /// A box in `[0, 1]^3` of t, u and v that halving has led to: along each axis from
 /// `place / 2^level` to `(place + 1) / 2^level`.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -14,6 +16,13 @@ impl Cell {
 
     /// All of it.
     pub(super) const ALL: Self = Self { places: [0; 3], levels: [0; 3] };
+
+    /// All places, from a time on for 2^-30: the last such for 1.
+    pub(super) fn at(time: Unit) -> Self {
+        let last = (1 << Self::LEVEL_MAX) - 1;
+        let place = time.raw().cast_unsigned().min(last);
+        Self { places: [place, 0, 0], levels: [Self::LEVEL_MAX, 0, 0] }
+    }
 
     /// The lower or upper half along an axis that [has levels left](Self::levels_left).
     #[inline]

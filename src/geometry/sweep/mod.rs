@@ -28,6 +28,7 @@ mod search;
 mod triangles;
 
 pub use motion::Motion;
+pub(crate) use motion::fall;
 pub(crate) use triangles::back_off;
 
 use super::Sphere;
@@ -57,10 +58,13 @@ pub struct Sweep {
     /// [`Sphere::RADIUS_MAX`]; what is outside of that is taken for the nearest that is not.
     ///
     /// No such pair is missed; up to `sqrt 3` times as far apart they may be taken to touch too.
+    /// Between meshes every pair costs that is so near before the first contact: a gap as wide as
+    /// many faces makes that slow.
     pub gap: Real,
-    /// After so many boxes a search ends with what it knows: usually 4,096, while most need none
-    /// and few 50. Fewer make times too early where features nearly touch for long or move in one
-    /// plane, and contacts of some that only come near.
+    /// After so many boxes, and as many again at the first time that is possible, a search ends
+    /// with what it knows: usually 4,096, while most need none and few 50. Fewer make times too
+    /// early where features nearly touch for long or move in one plane, and contacts of some that
+    /// only come near.
     pub work_max: u32,
 }
 
@@ -140,10 +144,61 @@ impl Sweep {
 impl Impact {
     /// Of what nothing is known.
     const UNKNOWN: Self = Self { time: Unit::ZERO, weights: [Unit::ZERO; 2], is_cut: true };
+
+    /// Of what touches already.
+    pub(crate) const AT_ONCE: Self = Self { is_cut: false, ..Self::UNKNOWN };
 }
 
 impl Motion<Vec3> {
     fn is_in_range(&self) -> bool {
         is_in_range(self.start) && is_in_range(self.end)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Pcg;
+
+    /// A limit only leaves out what is later, whatever the work.
+    #[test]
+    fn limits_leave_out_what_is_later() {
+        let mut rng = Pcg::new(1, 50);
+        let (mut kept, mut left_out) = (0, 0);
+        for round in 0..2_000 {
+            let scale = 1 << rng.below(20);
+            let mut near = |most: u32| [(); 3].map(|()| i64::from(rng.below(most)) * scale);
+            // Every other one does not turn.
+            let ways = [near(9), near(9)];
+            let corners = [0, 1, 2, 3].map(|corner| {
+                let (start, own) = (near(7), near(9));
+                let way = if round % 2 == 0 { ways[usize::from(corner > 0)] } else { own };
+                let end = [0, 1, 2].map(|k| start[k] + way[k] - 4 * scale);
+                Motion::new(Vec3::from_raw(start), Vec3::from_raw(end))
+            });
+            let [p, q, r, s] = corners;
+            for work_max in [0, 1, 2, 9, 100, 4096] {
+                let sweep = Sweep { work_max, ..Sweep::default() };
+                let find = |until| {
+                    if round % 4 < 2 {
+                        sweep.vertex_face_until(until, p, [q, r, s])
+                    } else {
+                        sweep.edge_edge_until(until, [p, q], [r, s])
+                    }
+                };
+                let found = find(Unit::ONE);
+                let time = found.map_or(1 << 30, |found| found.time.raw());
+                for until in [0, time - 1, time, time + 1, (1 << 30) / 3, (1 << 30) - 1] {
+                    let until = Unit::from_raw(until.clamp(0, 1 << 30));
+                    let expected = found.filter(|found| found.time <= until);
+                    let within = find(until);
+                    let times = [within, expected].map(|found| found.map(|found| found.time));
+                    assert_eq!(times[0], times[1], "{sweep:?} {corners:?} {until}: {found:?}");
+                    kept += u32::from(expected.is_some());
+                    left_out += u32::from(expected.is_none() && found.is_some());
+                }
+            }
+        }
+        assert!(kept > 1_000 && left_out > 1_000, "{kept} {left_out}");
     }
 }

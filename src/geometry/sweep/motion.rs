@@ -1,7 +1,7 @@
 //! Straight motion.
 
 use crate::geometry::Triangle;
-use crate::math::wide::{round_shift_wide, to_i64};
+use crate::math::wide::{round_shift_wide, to_i32, to_i64};
 use crate::math::{Unit, Vec3};
 
 /// Where something is at the start of a step and at its end; every point of it moves in between
@@ -31,21 +31,40 @@ impl<T: Copy> Motion<T> {
 }
 
 impl Motion<Vec3> {
-    /// Where it is at a time in 0..=1. The way from the start is rounded, once.
-    ///
-    /// Coordinates are at most [`Triangle::COORDINATE_MAX`], which debug builds check.
+    /// Where it is at a time in 0..=1, to which it is cut. The way from the start is rounded, once.
     #[inline]
     #[must_use]
     pub fn at(&self, time: Unit) -> Vec3 {
         let (start, end) = (self.start.raw(), self.end.raw());
-        debug_assert!(Unit::ZERO <= time && time <= Unit::ONE, "Motion: time outside of 0..=1");
+        let time = i128::from(time.clamp(Unit::ZERO, Unit::ONE).raw());
         let along = |k: usize| {
-            // At most 2^61 * 2^30, and after rounding no more than the way to the end.
+            // At most 2^64 * 2^30, and after rounding no more than the way to the end.
             let way = i128::from(end[k]) - i128::from(start[k]);
-            start[k] + to_i64(round_shift_wide(way * i128::from(time.raw()), Unit::FRACTION_BITS))
+            let part = round_shift_wide(way * time, Unit::FRACTION_BITS);
+            to_i64(i128::from(start[k]) + part)
         };
         Vec3::from_raw([along(0), along(1), along(2)])
     }
+}
+
+/// When what changes evenly is no longer above 0, rounded down; `None` if it always is. Values are
+/// within 2^62.
+#[inline]
+pub(crate) fn fall(start: i64, end: i64) -> Option<Unit> {
+    if start <= 0 {
+        return Some(Unit::ZERO);
+    }
+    if end > 0 {
+        return None;
+    }
+    // Not below the start; shares are at most 2^30.
+    let way = start - end;
+    let share = if start >> (63 - Unit::FRACTION_BITS) == 0 {
+        (start << Unit::FRACTION_BITS) / way
+    } else {
+        to_i64((i128::from(start) << Unit::FRACTION_BITS) / i128::from(way))
+    };
+    Some(Unit::from_raw(to_i32(share)))
 }
 
 impl Motion<Triangle> {

@@ -3,8 +3,9 @@
 use super::Motion;
 use super::cell::Cell;
 use super::row::Row;
-use crate::math::Vec3;
+use crate::math::determinant::{Middle, Width};
 use crate::math::wide::sub;
+use crate::math::{Unit, Vec3};
 
 /// `F(t, u, v) = A(t) + u B(t) + v C(t)`, the way from a point of one feature to a point of the
 /// other, along several directions. They touch where it is 0, and are apart wherever it is not 0
@@ -86,8 +87,9 @@ impl Relation {
         // What is cut off A, B and C is below 1 each, and so is what is cut off the gap.
         let surplus = bits.saturating_sub(FRAME_BITS);
         let slack = if surplus == 0 { gap } else { (gap >> surplus) + 4 };
-        // A value is the sum of three.
-        let is_narrow = bits + Self::DIRECTION_BITS + 2 <= NARROW_BITS;
+        // A value is the sum of three, and nothing has been cut.
+        const { assert!(FRAME_BITS + Self::DIRECTION_BITS + 2 <= NARROW_BITS) };
+        let is_narrow = bits <= FRAME_BITS;
         let relation = Self { axes, frames, slack, coarse, is_triangle, is_narrow };
         let is_apart = relation.directions(&Cell::ALL).iter().any(|row| row.is_apart(is_triangle));
         (!is_apart).then_some(relation)
@@ -113,7 +115,7 @@ impl Relation {
         let at = |p: Vector, q: Vector, by: i64| [0, 1, 2].map(|k| p[k] + q[k] * by / (1 << 30));
         let (b, c) = (at(start[1], gain[1], t), at(start[2], gain[2], t));
         let velocity = at(at(gain[0], gain[1], u), gain[2], v);
-        [cross(b, c), cross(c, velocity), cross(velocity, b)].map(|d| self.along(d))
+        [[b, c], [c, velocity], [velocity, b]].map(|[p, q]| self.along(Middle::cross(p, q)))
     }
 
     /// The row along a direction.
@@ -140,6 +142,12 @@ impl Relation {
         self.is_narrow
     }
 
+    /// Before this they are apart along x, y or z: rounded down.
+    pub(super) fn first(&self) -> Unit {
+        let first = |row: &Row| row.first(self.is_triangle);
+        self.axes.iter().map(first).max().unwrap_or(Unit::ZERO)
+    }
+
     /// Whether F is not 0 over a box unless when it ends.
     pub(super) fn is_clear_before_end(&self, cell: &Cell) -> bool {
         let mut rows = self.axes.into_iter().chain(self.directions(cell));
@@ -162,10 +170,4 @@ fn cut(vector: Vector, bits: u32, most: u32) -> Vector {
 /// A vector of so many bits in others: cut, or times a power of two.
 fn scaled(vector: Vector, bits: u32, wanted: u32) -> Vector {
     cut(vector, bits, wanted).map(|c| c << wanted.saturating_sub(bits))
-}
-
-/// The cross product of vectors below 2^30.
-fn cross(u: Vector, v: Vector) -> Vector {
-    let minor = |j: usize, k: usize| u[j] * v[k] - u[k] * v[j];
-    [minor(1, 2), minor(2, 0), minor(0, 1)]
 }

@@ -1,6 +1,8 @@
 //! The way between two moving features along one direction.
 
 use super::cell::Cell;
+use super::motion::fall;
+use crate::math::Unit;
 
 /// Integers of one width. Sums may wrap on the way, if what they end in fits.
 pub(super) trait Width: Copy + Ord {
@@ -108,17 +110,37 @@ impl Row {
     /// of one another, and hence always.
     #[inline]
     pub(super) fn is_apart(&self, is_triangle: bool) -> bool {
-        let (start, gain) = (self.start, self.gain);
-        let end = [start[0] + gain[0], start[1] + gain[1], start[2] + gain[2]];
         let (mut low, mut high) = (i64::MAX, i64::MIN);
-        for [a, b, c] in [start, end] {
-            // Each is a difference of points that there are: not larger than A can be.
-            let last = if is_triangle { a } else { a + b + c };
-            for value in [a, a + b, a + c, last] {
-                (low, high) = (low.min(value), high.max(value));
-            }
+        for value in self.corners(is_triangle).into_iter().flatten() {
+            (low, high) = (low.min(value), high.max(value));
         }
         low > self.slack || high < -self.slack
+    }
+
+    /// When the features are no longer apart along the direction, on the side of one another on
+    /// which they start: rounded down, and 1 if they always are. Exact: the first value of a corner
+    /// to come within the slack is that of all, as each changes evenly.
+    pub(super) fn first(&self, is_triangle: bool) -> Unit {
+        let [start, end] = self.corners(is_triangle);
+        let first = |sign: i64| {
+            let values = start.iter().zip(end);
+            let falls =
+                values.map(|(start, end)| fall(sign * start - self.slack, sign * end - self.slack));
+            falls.map(|fall| fall.unwrap_or(Unit::ONE)).min().unwrap_or(Unit::ZERO)
+        };
+        first(1).max(first(-1))
+    }
+
+    /// The values at the corners of all u and v, at time 0 and at time 1.
+    #[inline]
+    fn corners(&self, is_triangle: bool) -> [[i64; 4]; 2] {
+        let (start, gain) = (self.start, self.gain);
+        let end = [start[0] + gain[0], start[1] + gain[1], start[2] + gain[2]];
+        [start, end].map(|[a, b, c]| {
+            // Each is a difference of points that there are: not larger than A can be.
+            let last = if is_triangle { a } else { a + b + c };
+            [a, a + b, a + c, last]
+        })
     }
 
     /// The values over a box, in units that are smaller by the level of t and by the higher of

@@ -32,22 +32,60 @@ struct View {
     is_narrow: bool,
 }
 
-/// The first box, no later than `until`, that is not shown to be free of contacts.
+/// The first contact no later than `until`, or that which cannot be told from one; `None` proves
+/// that there is none.
+///
+/// What lands flat touches all over at once: then the order of time forbids to go straight down
+/// to a contact. But axes often tell when it is, as for boxes along them, and a box that lasts no
+/// longer than that is soon small.
 pub(super) fn search(relation: &Relation, work_max: u32, until: Unit) -> Option<Impact> {
-    let until = until.raw().cast_unsigned();
-    let mut work = 0;
+    let at = |first: Unit| descend(relation, Cell::at(first), work_max, first);
+    if until < Unit::ONE {
+        let first = relation.first();
+        if first >= until {
+            return if first == until { at(first) } else { None };
+        }
+    }
+    let found = descend(relation, Cell::ALL, work_max, until)?;
+    if !found.is_cut {
+        return Some(found);
+    }
+    let first = relation.first();
+    match at(first) {
+        Some(at_first) => Some(at_first),
+        None => Some(Impact { time: found.time.max(after(first)), ..found }),
+    }
+}
+
+/// 2^-30 later; 1 at most.
+fn after(time: Unit) -> Unit {
+    Unit::from_raw(time.raw() + 1).min(Unit::ONE)
+}
+
+/// The first box in a box, no later than `until`, that is not shown to be free of contacts.
+fn descend(relation: &Relation, all: Cell, work_max: u32, until: Unit) -> Option<Impact> {
+    let latest = until.raw().cast_unsigned();
+    let (mut work, mut in_the_end) = (0, None);
     let mut open = BinaryHeap::new();
-    open.extend(look(relation, Cell::ALL, relation.is_narrow(), &mut work));
+    let is_narrow = relation.is_narrow() && all == Cell::ALL;
+    let first = look(relation, all, is_narrow, &mut work);
+    open.extend(first.filter(|first| first.cell.time() <= latest));
     while let Some(Open { cell, axis, is_narrow, .. }) = open.pop() {
         let Some(axis) = axis.filter(|_| work < work_max).map(usize::from) else {
-            return Some(impact(relation, &cell, axis.is_some()));
+            let impact = impact(relation, &cell, axis.is_some());
+            if impact.time < Unit::ONE || relation.first() == Unit::ONE {
+                return Some(impact).filter(|impact| impact.time <= until);
+            }
+            // Others may touch just before.
+            in_the_end = in_the_end.or(Some(impact));
+            continue;
         };
         for is_upper in [true, false] {
             let half = look(relation, cell.half(axis, is_upper), is_narrow, &mut work);
-            open.extend(half.filter(|half| half.cell.time() <= until));
+            open.extend(half.filter(|half| half.cell.time() <= latest));
         }
     }
-    None
+    in_the_end.filter(|_| until == Unit::ONE)
 }
 
 /// What is left of a box to be kept; `None` if F is not 0 in it. It takes up less room with every

@@ -12,7 +12,7 @@ impl Sweep {
     #[must_use]
     pub fn triangle_triangle(&self, a: Motion<Triangle>, b: Motion<Triangle>) -> Option<Impact> {
         if overlap_triangle_triangle(&a.start, &b.start) {
-            return Some(Impact { is_cut: false, ..Impact::UNKNOWN });
+            return Some(Impact::AT_ONCE);
         }
         let (a, b) = (a.corners(), b.corners());
         let mut first: Option<Impact> = None;
@@ -54,10 +54,10 @@ fn edges<T: Copy>([a, b, c]: [T; 3]) -> [[T; 2]; 3] {
     [[a, b], [b, c], [c, a]]
 }
 
-/// The first of some times before this, or at it, at which something is clear: 2^-30 before, then
-/// twice as much, and so on; or 0.
+/// The first of some times before this at which something is clear: 2^-30 before, then each time
+/// about twice as long before; or 0.
 pub(crate) fn back_off(time: Unit, is_clear: impl Fn(Unit) -> bool) -> Unit {
-    let mut back = 0;
+    let mut back = 1;
     loop {
         let earlier = Unit::from_raw((time.raw() - back).max(0));
         if earlier == Unit::ZERO || is_clear(earlier) {

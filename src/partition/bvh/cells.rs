@@ -92,6 +92,11 @@ impl Cells {
         CellBox::new([0, 1, 2].map(low), [0, 1, 2].map(high))
     }
 
+    /// How wide a cell is: a power of two, raw.
+    pub(super) const fn shift(&self) -> u32 {
+        self.shift
+    }
+
     /// Whether cells are at least as wide as others.
     pub(super) const fn is_coarser(&self, other: &Self) -> bool {
         self.shift >= other.shift

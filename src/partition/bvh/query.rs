@@ -119,7 +119,7 @@ impl<V: Volume> Bvh<V> {
             let (link_a, link_b) = (self.shape.links[a as usize], finer.shape.links[b as usize]);
             let lanes = [&self.volumes[a as usize], &finer.volumes[b as usize]];
             let hits = hits(lanes, &frame) & used(link_a.len, link_b.len);
-            let down = steps(link_a, link_b, &frame);
+            let down = steps([link_a, link_b], [frame.shift(), 0]);
             if down == [false, false] {
                 for (i, j) in ones(hits) {
                     visit((link_a.first + i) as usize, (link_b.first + j) as usize)?;
@@ -150,10 +150,11 @@ impl Bvh<CellBox> {
     }
 }
 
-/// Which of two nodes are replaced by their children; neither if both are leaves.
+/// Which of two nodes are replaced by their children, the larger one or both; neither if both are
+/// leaves. Cells are as wide as these powers of two.
 #[inline]
-fn steps(a: Link, b: Link, frame: &Frame) -> [bool; 2] {
-    let [size_a, size_b] = [u32::from(a.size) + frame.shift(), u32::from(b.size)];
+pub(super) fn steps([a, b]: [Link; 2], shifts: [u32; 2]) -> [bool; 2] {
+    let [size_a, size_b] = [u32::from(a.size) + shifts[0], u32::from(b.size) + shifts[1]];
     let down_a = !a.is_leaf && (b.is_leaf || size_a + 1 >= size_b);
     let down_b = !b.is_leaf && (a.is_leaf || size_b + 1 >= size_a);
     [down_a, down_b]
