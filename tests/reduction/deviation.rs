@@ -1,5 +1,7 @@
 //! Deviations, against points taken from all over and every face.
 
+use std::time::Instant;
+
 use proptest::prelude::*;
 use verlock::geometry::{Triangle, TriangleMesh};
 use verlock::partition::bvh::Farthest;
@@ -148,6 +150,51 @@ fn deviations_move_and_grow_with_the_meshes() {
     let larger = tree(&scaled(&mesh, 1 << 13)).deviation(&tree(&scaled(&small, 1 << 13)));
     let [once, often] = [told, larger].map(|told| told.of_original.at_least.to_f64());
     assert!((often / once / f64::from(1 << 13) - 1.0).abs() < 0.01, "{often} of {once}");
+}
+
+/// Faces as long as they can be, cut along the same edges over and over: cuts are rounded by more
+/// than a raw unit there.
+#[test]
+fn the_largest_faces_are_done_in_time() {
+    const PLACES: [[i64; 3]; 7] = [
+        [1677065944136, 1349592236934, 1132295651383],
+        [372409980928, 1064230414260, 1582093007217],
+        [2179250013993, 65887805029, 1754293629857],
+        [506010991720, 1467053758716, 401305749307],
+        [579098163305, 1155966321293, 2004376579153],
+        [168730173537, 625224854264, 530547307489],
+        [594033260310, 1765493859976, 1383809912083],
+    ];
+    const FACES: [[u32; 3]; 14] = [
+        [6, 0, 2],
+        [4, 1, 1],
+        [5, 0, 3],
+        [6, 5, 3],
+        [5, 1, 6],
+        [5, 6, 4],
+        [1, 5, 6],
+        [0, 2, 6],
+        [2, 0, 3],
+        [5, 2, 2],
+        [0, 6, 1],
+        [6, 2, 4],
+        [6, 5, 1],
+        [2, 3, 1],
+    ];
+    for shift in [0, 2, 4, 8] {
+        let places = PLACES.map(|p| Vec3::from_raw(p.map(|c| (c >> shift) - (1 << 40))));
+        let mesh = TriangleMesh::new(places, FACES).expect("in range");
+        let small = mesh.decimated(11).expect("faces");
+        let start = Instant::now();
+        let told = tree(&mesh).deviation(&tree(&small));
+        let taken = start.elapsed();
+        assert!(taken.as_secs() < 20, "{taken:?}");
+        let Farthest { at_least, at_most, .. } = told.of_original;
+        let (greatest, apart) = sampled(&mesh, &small, 8);
+        // Floats know places so far away to a thousandth of a millimetre.
+        assert!(greatest <= at_most.to_f64() + 1e-3, "{greatest} is farther than {at_most}");
+        assert!(at_least.to_f64() <= greatest + apart + 1e-3, "{at_least}, {greatest} is met");
+    }
 }
 
 proptest! {

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use verlock::Vec3;
-use verlock::geometry::closest_point_triangle;
+use verlock::geometry::{Triangle, TriangleMesh, closest_point_triangle};
 use verlock::math::Pcg;
 
 use super::{soup, tree};
@@ -26,6 +26,33 @@ proptest! {
             let found = tree.nearest(point);
             prop_assert_eq!(Some((found.distance_sq, found.face)), all.min());
             prop_assert_eq!(found.point, closest_point_triangle(point, &mesh.triangle(found.face)));
+        }
+    }
+}
+
+/// Points far outside of where vertices can be have a nearest point like any other.
+#[test]
+fn any_point_is_near_something() {
+    const FAR: i64 = Triangle::COORDINATE_MAX;
+    for side in [-1, 1] {
+        let corner = Vec3::from_raw([side * FAR; 3]);
+        let at = |k: usize| {
+            let mut place = corner.raw();
+            place[k] -= side * 99;
+            Vec3::from_raw(place)
+        };
+        let mesh = TriangleMesh::new([corner, at(0), at(1), at(2)], [[0, 1, 2], [1, 2, 3]]);
+        let tree = tree(&mesh.expect("in range"));
+        for raw in [i64::MAX, i64::MIN, side * (FAR + 1)] {
+            let found = tree.nearest(Vec3::from_raw([raw; 3]));
+            let way = u128::from(raw.abs_diff(side * FAR));
+            if raw.signum() == side {
+                assert_eq!((found.face, found.distance_sq), (0, 3 * way * way));
+                assert_eq!(found.point.position, corner);
+            } else {
+                // The plane across from the corner is 33 nearer along every axis.
+                assert_eq!((found.face, found.distance_sq), (1, 3 * (way - 33) * (way - 33)));
+            }
         }
     }
 }

@@ -27,8 +27,7 @@ pub struct Nearest {
 type Open = (u128, u32);
 
 impl<V: Volume> Bvh<V> {
-    /// The point of the mesh, where its vertices are, that is nearest to `point`, which is within
-    /// the range of a mesh's vertices.
+    /// The point of the mesh, where its vertices are, that is nearest to `point`, wherever that is.
     ///
     /// Faces are compared by their nearest points as they are rounded, so one that is nearer by
     /// less than 60 nm may be passed over. O(log n) for n faces unless many are equally near.
@@ -77,7 +76,7 @@ impl<V: Volume> Bvh<V> {
     /// The nearest point of one face.
     pub(super) fn nearest_on(&self, place: u32, point: Vec3) -> Nearest {
         let nearest = closest_point_triangle(point, &self.triangles[place as usize]);
-        let distance_sq = (point - nearest.position).length_sq_wide();
+        let distance_sq = distance_sq(point, nearest.position);
         Nearest { face: self.shape.faces[place as usize], point: nearest, distance_sq, place }
     }
 }
@@ -86,11 +85,15 @@ impl Cells {
     /// The square of the distance between a point and a box, raw. Exact.
     fn distance_sq(&self, cells: &CellBox, point: Vec3) -> u128 {
         let [low, high] = self.corners(cells);
-        let along = |(c, (low, high)): (i64, (i64, i64))| {
-            // Below 2^62: the sum is below 3 * 2^124.
-            let beyond = (low - c).max(c - high).max(0).unsigned_abs();
-            u128::from(beyond) * u128::from(beyond)
-        };
-        point.raw().into_iter().zip(low.into_iter().zip(high)).map(along).sum()
+        let point = point.raw();
+        let nearest = [0, 1, 2].map(|k| point[k].clamp(low[k], high[k]));
+        distance_sq(Vec3::from_raw(point), Vec3::from_raw(nearest))
     }
+}
+
+/// The square of the distance between a point and one that is less than a cell of 2^34 beyond 2^60:
+/// below 3 * (9/8 * 2^63 + 2^34)^2, which is below 2^128.
+fn distance_sq(point: Vec3, place: Vec3) -> u128 {
+    let along = |(p, q): (i64, i64)| u128::from(p.abs_diff(q)).pow(2);
+    point.raw().into_iter().zip(place.raw()).map(along).sum()
 }

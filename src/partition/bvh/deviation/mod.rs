@@ -32,9 +32,12 @@ pub struct Deviation {
 /// The point of a surface that is farthest from another surface, as far as it is known.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Farthest {
-    /// A point that is that far away, within 60 nm of the surface that it belongs to.
+    /// A point that is that far away. It is a vertex, or lies on the surface that it belongs to but
+    /// for rounding: by less than a raw unit for each of the cuts, one in another, that have led to
+    /// it, some dozens at most.
     pub point: Vec3,
-    /// Its distance, rounded down, metres: no distance that is greatest is less.
+    /// Its distance, rounded down, metres, less what it may be off its surface: the greatest
+    /// distance is not less.
     pub at_least: Real,
     /// No point of the surface is farther away, metres.
     pub at_most: Real,

@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 
 use crate::geometry::{Aabb, Feature, Triangle, closest_point_triangle};
 use crate::math::determinant::cross;
-use crate::math::root::isqrt_wide;
+use crate::math::root::{isqrt_wide, isqrt_wide_up};
 use crate::math::wide::{add, round_div_wide, round_shift_wide, sub, to_i64};
 use crate::math::{UnitVec3, Vec3};
 use crate::partition::bvh::Bvh;
@@ -16,7 +16,7 @@ use crate::partition::bvh::volume::Volume;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     position: Vec3,
-    /// Raw, rounded down.
+    /// Raw, rounded down: what of the surface it stands for is no nearer.
     pub(super) at_least: u64,
     /// Raw, rounded up.
     at_most: u64,
@@ -52,9 +52,14 @@ pub(super) struct End {
 
 const SHARE_BITS: u32 = 30;
 
+/// Pieces of so many corners are cut across, after which they have fewer: what is done to a piece
+/// costs as much as the square of that.
+const CORNERS_MAX: usize = 16;
+
 impl Corner {
     pub(super) fn new(position: Vec3, nearest: &Nearest, roundings: u64) -> Self {
         let [at_least, at_most] = distance(nearest.distance_sq, nearest.point.feature);
+        let at_least = at_least.saturating_sub(roundings);
         Self { position, at_least, at_most, place: nearest.place, roundings }
     }
 }
@@ -105,7 +110,7 @@ impl Piece {
     /// gained.
     pub(super) fn cut<V: Volume>(&self, to: &Bvh<V>) -> Cut {
         let triangle = &to.triangles[self.face as usize];
-        if self.span() >> 1 <= triangle.bounds().span() {
+        if self.corners.len() < CORNERS_MAX && self.span() >> 1 <= triangle.bounds().span() {
             let nearest = closest_point_triangle(self.corners[self.worst].position, triangle);
             let edges = match nearest.feature {
                 Feature::Vertex(corner) => [(corner + 2) % 3, corner],
@@ -121,10 +126,9 @@ impl Piece {
     }
 
     /// The cut by the plane that stands upright on an edge of a face, if there is enough of the
-    /// piece on either side of it.
+    /// piece on either side of it: more than what the plane and the place of a cut are wrong by, so
+    /// that no cut is repeated.
     fn along(&self, triangle: &Triangle, edge: usize) -> Option<Cut> {
-        /// Two raw units.
-        const ENOUGH: i128 = 2 << 30;
         let corners = triangle.corners().map(Vec3::raw);
         let start = corners[edge];
         let (side, other) =
@@ -141,7 +145,12 @@ impl Piece {
             way.map(|(d, n)| i128::from(d) * i128::from(n)).sum()
         };
         let beyond: Vec<i128> = self.corners.iter().map(beyond).collect();
-        if !(beyond.iter().any(|&s| s > ENOUGH) && beyond.iter().any(|&s| s < -ENOUGH)) {
+        // Ends of cuts are rounded, by less than 2 raw units. Components of the normal, and shares,
+        // are wrong by the 2^-30th part at most: along three axes, 2^-28 of the longest way.
+        let ways = self.corners.iter().flat_map(|c| sub(c.position.raw(), start));
+        let longest = ways.map(|c| i128::from(c.unsigned_abs())).max().unwrap_or(0);
+        let enough = (2 << 30) + 4 * longest;
+        if !(beyond.iter().any(|&s| s > enough) && beyond.iter().any(|&s| s < -enough)) {
             return None;
         }
         let crosses = |k: &usize| (beyond[*k] > 0) != (beyond[(*k + 1) % beyond.len()] > 0);
@@ -231,7 +240,7 @@ impl Piece {
     }
 }
 
-/// The distance from a point that was rounded, from below and above: it is off by 0.87 raw units at
+/// The distance from a place that was rounded, from below and above: it is off by 0.87 raw units at
 /// most, and not at all at a corner.
 fn distance(square: u128, feature: Feature) -> [u64; 2] {
     let slack = u64::from(!matches!(feature, Feature::Vertex(_)));
@@ -241,9 +250,8 @@ fn distance(square: u128, feature: Feature) -> [u64; 2] {
 
 /// The square root of the square of a distance, rounded down and up.
 fn roots(square: u128) -> [u64; 2] {
-    let floor = isqrt_wide(square);
     // Squares are below 3 * 2^124: roots fit.
-    [floor, floor + u128::from(floor * floor < square)]
+    [isqrt_wide(square), isqrt_wide_up(square)]
         .map(|root| to_i64(root.cast_signed()).unsigned_abs())
 }
 
