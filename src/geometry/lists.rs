@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 /// Many lists in one: list k is `items[starts[k]..starts[k + 1]]`.
 ///
 /// All together have fewer than 2^32 items, which those who make them prove.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(crate) struct Lists {
     starts: Vec<u32>,
     items: Vec<u32>,

@@ -95,6 +95,30 @@ fn are_on_circle(corners: &[Vec3], axis: [Vec3; 2], radius: Real) {
     }
 }
 
+/// However flat, a round hull holds its corners, or there is none.
+#[test]
+fn flat_round_hulls_hold_their_corners() {
+    let apex = Vec3::from_raw([2, -1, -2]);
+    let cone = ConvexHull::cone(Vec3::ZERO, apex, Real::from_raw(169), 13);
+    assert_eq!(cone.err(), Some(ShapeError::Flat));
+    let mut rng = Pcg::new(1, 60);
+    let mut made = 0;
+    for _ in 0..4_000 {
+        let most = [4, 16, 256, 1 << 12][rng.below(4) as usize];
+        let end =
+            Vec3::from_raw([(); 3].map(|()| i64::from(rng.below(most)) - i64::from(most / 2)));
+        let sides = 3 + rng.below(14);
+        let radius = Real::from_raw(i64::from(sides * sides + rng.below(most)));
+        let cone = ConvexHull::cone(Vec3::ZERO, end, radius, sides);
+        let prism = ConvexHull::cylinder([Vec3::ZERO, end], radius, sides);
+        for hull in [cone, prism].into_iter().flatten() {
+            assert!(hull.vertices().iter().all(|&v| hull.contains(v)), "{end:?} {radius} {sides}");
+            made += 1;
+        }
+    }
+    assert!(made > 4_000, "{made}");
+}
+
 /// Numbers out of range are named.
 #[test]
 fn bad_round_hulls_are_refused() {

@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use proptest::prelude::*;
 use verlock::geometry::{Adjacency, Grid, MeshError, TriangleMesh};
+use verlock::math::trig::cos_sin;
 use verlock::{Real, Vec3, real};
 
 use super::{Topology, is_surface, moved, scaled, soup, tree};
@@ -179,6 +180,26 @@ proptest! {
             Err(error) => prop_assert_eq!(error, MeshError::NoFace),
         }
     }
+}
+
+/// A fan about one vertex, whose edges are as many as its faces.
+#[test]
+fn fans_are_reduced_in_time() {
+    const SPOKES: u32 = 32_000;
+    let rim = |k: u32| {
+        let [cos, sin] = cos_sin(k % 256, 256).map(|c| i64::from(c.raw()) << 8);
+        Vec3::from_raw([cos, sin, i64::from(k / 256) << 28])
+    };
+    let places = [Vec3::ZERO].into_iter().chain((0..SPOKES).map(rim));
+    let faces = (1..SPOKES).map(|k| [0, k, k + 1]);
+    let mesh = TriangleMesh::new(places, faces).expect("in range");
+    let start = Instant::now();
+    let small = mesh.decimated(100).expect("faces");
+    let taken = start.elapsed();
+    println!("{} faces to {} in {taken:?}", mesh.faces().len(), small.faces().len());
+    assert!(small.faces().len() < mesh.faces().len());
+    assert!(is_surface(&small));
+    assert!(taken.as_secs() < 20, "{taken:?}");
 }
 
 /// 76,800 faces become 500 within two seconds.

@@ -199,7 +199,8 @@ impl Pair {
                 let landed = [a.at(landing), b.at(landing)];
                 let [way_a, way_b] = self.motions(&landed);
                 let met = way_a.time_of_impact(&way_b, &Sweep::default());
-                let is_apart = met.is_none() || landing == Unit::ZERO;
+                // A gap that no rounding bridges.
+                let is_apart = met.is_none() || landing == Unit::ZERO || gap < 2;
                 assert!(is_apart, "{self:?} {sweep:?} {landing}: {met:?}");
             }
         }

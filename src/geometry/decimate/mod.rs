@@ -25,14 +25,19 @@ use crate::math::Vec3;
 /// Edges that could not collapse are tried again so often, after others have.
 const ROUNDS_MAX: u32 = 16;
 
+/// Edges at a vertex of more faces stay until it has fewer: a collapse costs as much as all of them
+/// together.
+const DEGREE_MAX: usize = 256;
+
 impl TriangleMesh {
     /// A mesh of at most `faces` faces that looks like this one. O(n log n) for n faces.
     ///
     /// Edges collapse as long as what is left is a surface of the same kind: parts stay apart,
     /// holes open, and boundaries lie along boundaries. No face turns by more than 75 degrees at
-    /// once. Where that forbids more, more faces than `faces` are left: 4 of each closed part
-    /// without holes through it, 14 of a ring, 1 of each sheet, and all around edges of three faces
-    /// and more. Faces that are far from one another may come to intersect.
+    /// once, and no edge collapses at a vertex of more than 256 faces. Where that forbids it, more
+    /// faces than `faces` are left: 4 of each closed part without holes through it, 14 of a ring, 1
+    /// of each sheet, and all around edges of three faces and more. Faces that are far from one
+    /// another may come to intersect.
     ///
     /// Vertices and faces that remain keep their order; faces that name a vertex twice, and
     /// vertices of no face, are left out. How far the result is from the mesh is what
@@ -147,6 +152,9 @@ impl Decimation {
     /// end or where the sum of squares is smallest, whichever is best; ends win ties. To the sum a
     /// 2^-24th of all weights times the squared length is added: flat places are collapsed evenly.
     fn place(&self, ends: [u32; 2]) -> Option<(u128, Vec3)> {
+        if ends.iter().any(|&end| self.surface.degree(end) > DEGREE_MAX) {
+            return None;
+        }
         let mut quadric = self.quadrics[ends[0] as usize];
         quadric += &self.quadrics[ends[1] as usize];
         let positions = ends.map(|end| self.surface.position(end));

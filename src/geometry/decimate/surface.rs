@@ -101,8 +101,16 @@ impl Surface {
         }
     }
 
+    /// How many faces are around a vertex.
+    pub(super) fn degree(&self, vertex: u32) -> usize {
+        self.stars[vertex as usize].len()
+    }
+
     /// The corners across from an edge, one for each of its faces: none of two, of `len` in all.
-    fn tips(&self, [a, b]: [u32; 2]) -> Tips {
+    fn tips(&self, mut ends: [u32; 2]) -> Tips {
+        // The fewer faces are looked at.
+        ends.sort_unstable_by_key(|&end| self.degree(end));
+        let [a, b] = ends;
         let mut tips = Tips { corners: [a; 2], len: 0 };
         for corners in self.around(a).filter(|corners| corners.contains(&b)) {
             let tip = corners.into_iter().find(|corner| *corner != a && *corner != b);
@@ -173,7 +181,10 @@ impl Surface {
             if corners.contains(&kept) {
                 self.len -= 1;
                 for corner in corners.into_iter().filter(|&corner| corner != gone) {
-                    self.stars[corner as usize].retain(|&other| other != face);
+                    let star = &mut self.stars[corner as usize];
+                    if let Some(place) = star.iter().position(|&other| other == face) {
+                        star.swap_remove(place);
+                    }
                 }
             } else {
                 self.faces[face as usize] = corners.map(|c| if c == gone { kept } else { c });
@@ -182,39 +193,50 @@ impl Surface {
         }
     }
 
-    fn find_role(&mut self, vertex: u32) -> Role {
-        let mut next = Vec::new();
-        self.neighbours(vertex, &mut next);
-        let faces = |end: u32| self.around(vertex).filter(|corners| corners.contains(&end)).count();
-        let counts = next.iter().map(|&end| faces(end));
+    /// O(k log k) for k faces around it.
+    fn find_role(&self, vertex: u32) -> Role {
+        // The other corners of all faces around, each with the place of the face.
+        let star = (0..).zip(self.around(vertex));
+        let of_face = |(place, corners): (usize, [u32; 3])| {
+            corners.into_iter().filter(|&c| c != vertex).map(move |c| (c, place))
+        };
+        let mut spokes: Vec<(u32, usize)> = star.flat_map(of_face).collect();
+        spokes.sort_unstable();
+        // By the faces at an edge from one to the next; where there are more than two, not all.
+        let mut next = vec![[None; 2]; self.degree(vertex)];
         let (mut rims, mut crossings) = (0, 0);
-        for count in counts {
-            rims += usize::from(count == 1);
-            crossings += usize::from(count > 2);
+        for edge in spokes.chunk_by(|a, b| a.0 == b.0) {
+            match *edge {
+                [_] => rims += 1,
+                [(_, a), (_, b)] => {
+                    for (from, to) in [(a, b), (b, a)] {
+                        let slot = usize::from(next[from][0].is_some());
+                        next[from][slot] = Some(to);
+                    }
+                }
+                _ => crossings += 1,
+            }
         }
+        let is_one_fan = || reached(&next) == next.len();
         match (rims, crossings) {
-            (0, 0) if next.is_empty() => Role::Fixed,
-            (0, 0) if self.is_one_fan(vertex) => Role::Inner,
-            (2, 0) if self.is_one_fan(vertex) => Role::Rim,
+            (0, 0) if !next.is_empty() && is_one_fan() => Role::Inner,
+            (2, 0) if is_one_fan() => Role::Rim,
             _ => Role::Fixed,
         }
     }
+}
 
-    /// Whether edges at a vertex join all faces around it.
-    fn is_one_fan(&self, vertex: u32) -> bool {
-        let star: Vec<_> = self.around(vertex).collect();
-        let mut reached = vec![false; star.len()];
-        let mut open = vec![0];
-        while let Some(face) = open.pop() {
-            if !core::mem::replace(&mut reached[face], true) {
-                let shares = |other: &[u32; 3]| {
-                    other.iter().filter(|c| **c != vertex && star[face].contains(c)).count() > 0
-                };
-                open.extend((0..star.len()).filter(|&k| !reached[k] && shares(&star[k])));
-            }
+/// To how many places, of which there is one, steps lead from the first.
+fn reached(next: &[[Option<usize>; 2]]) -> usize {
+    let mut is_reached = vec![false; next.len()];
+    let (mut open, mut count) = (vec![0], 0);
+    while let Some(place) = open.pop() {
+        if !core::mem::replace(&mut is_reached[place], true) {
+            count += 1;
+            open.extend(next[place].into_iter().flatten());
         }
-        reached.into_iter().all(|reached| reached)
     }
+    count
 }
 
 /// The corners across from an edge.

@@ -1,6 +1,7 @@
 //! The smallest ball around points.
 
 use super::frame::{FINE_BITS, meet};
+use crate::math::determinant::{Middle, Width};
 use crate::math::root::isqrt_wide;
 use crate::math::wide::to_i64;
 
@@ -11,8 +12,8 @@ pub(super) struct Ball {
     pub(super) radius: i64,
 }
 
-/// By how much a center, rounded, may be wrong; and thrice that, so that a point on the surface
-/// counts as inside.
+/// A point that is outside by no more, in fine units, counts as inside: a center is rounded by up
+/// to 0.87 of one, and so is the distance of a point on the surface.
 const SLACK: i64 = 2;
 
 /// More rounds are not needed: each replaces the ball by a larger one.
@@ -52,7 +53,7 @@ impl Ball {
             [b] => way(b).map(|c| i128::from(c) << (FINE_BITS - 1)),
             [b, c] => {
                 let (b, c) = (way(b), way(c));
-                meet([b, c, cross(b, c)], [value(b), value(c), 0])?
+                meet([b, c, Middle::cross(b, c)], [value(b), value(c), 0])?
             }
             [b, c, d] => {
                 let ways = [b, c, d].map(way);
@@ -116,8 +117,4 @@ impl Support {
 /// Below 2^46 for vectors below 2^23.
 fn square(v: [i64; 3]) -> i64 {
     v.iter().map(|c| c * c).sum()
-}
-
-fn cross(a: [i64; 3], b: [i64; 3]) -> [i64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

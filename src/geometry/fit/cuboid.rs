@@ -20,7 +20,8 @@ const EDGES_MAX: usize = 24;
 
 /// A box around a hull, as small as a search finds it: with one side along a face or along two
 /// edges, then turned downhill in volume. Around that axis it is the smallest, but for less than a
-/// millionth of its size, or a few raw units.
+/// millionth of its size, or a few raw units. For n vertices O(n log n) a direction that is tried,
+/// and O(k^2) where the hull has k corners as seen from there; of directions there are hundreds.
 ///
 /// # Errors
 /// [`ShapeError`] if it leaves the range of the world, or is too long.

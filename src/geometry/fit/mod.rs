@@ -35,7 +35,7 @@ pub use sphere::fit_sphere;
 use crate::math::Real;
 
 /// A shape around a hull.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Fit<S> {
     /// It contains the hull.
     pub shape: S,

@@ -73,17 +73,18 @@ impl Plane {
         Some(Self { points, normal, offset, area })
     }
 
-    /// Whether a point in fine units is in front of it, or so near that rounding can tell.
+    /// Whether the plane is behind a point in fine units: the point is in front of it or in it, or
+    /// so near that rounding cannot tell.
     fn is_behind(&self, x: [i128; 3]) -> bool {
         // Rounding moves a point by less than a fine unit.
         let slack = 1 << Unit::FRACTION_BITS;
-        // Normals have length 1, points are below 2^33.
+        // Normals have length 2^30, points are below 2^32.
         let reach: i128 = (0..3).map(|k| i128::from(self.normal[k]) * x[k]).sum();
         reach + slack >= i128::from(self.offset) << FINE_BITS
     }
 }
 
-/// Of the points that no plane is in front of, the one that is least far in front of the planes,
+/// Of the points in front of all planes, or in them, the one that is least far in front of them,
 /// each counting by its area. In fine units.
 ///
 /// It is where three planes meet whose normals the sum of all normals, by area, lies between: then

@@ -4,7 +4,7 @@ use super::Fit;
 use super::ball::smallest_ball;
 use super::frame::Frame;
 use crate::geometry::{ConvexHull, ShapeError, Sphere};
-use crate::math::root::isqrt_wide;
+use crate::math::root::isqrt_wide_up;
 use crate::math::wide::to_i64;
 use crate::math::{Real, Vec3};
 
@@ -26,7 +26,6 @@ pub fn fit_sphere(hull: &ConvexHull) -> Result<Fit<Sphere>, ShapeError> {
 /// The distance of two points of the world, rounded up.
 pub(super) fn distance_up(a: Vec3, b: Vec3) -> Real {
     let square = (a - b).length_sq_wide();
-    let root = isqrt_wide(square);
     // Below 2^63: points are within 2^60 along each axis.
-    Real::from_raw(to_i64(root.cast_signed()) + i64::from(root * root < square))
+    Real::from_raw(to_i64(isqrt_wide_up(square).cast_signed()))
 }

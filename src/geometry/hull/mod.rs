@@ -22,7 +22,7 @@ use facets::Facets;
 /// A convex polyhedron, closed: all that lies between its vertices.
 ///
 /// What does not change where it moves is shared, see [`HullTopology`].
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub struct ConvexHull {
     topology: Arc<HullTopology>,
     vertices: Vec<Vec3>,

@@ -28,7 +28,7 @@ impl ConvexHull {
     /// [`ShapeError`] if an end is out of range, both are one point, the prism is too long, the
     /// radius is outside 0..=[`RADIUS_MAX`](crate::geometry::Sphere::RADIUS_MAX), the sides are not
     /// 3..=[`SIDES_MAX`](Self::SIDES_MAX), or their square is greater than the radius, raw: then
-    /// they would not bulge.
+    /// they would not bulge. [`ShapeError::Flat`] also if it is so flat that rounding dents it.
     pub fn cylinder(ends: [Vec3; 2], radius: Real, sides: u32) -> Result<Self, ShapeError> {
         let ring = ring(ends, radius, sides)?;
         let corners = ends.iter().flat_map(|&end| ring.iter().map(move |&way| end + way));
@@ -51,7 +51,9 @@ impl ConvexHull {
 
     /// The same topology elsewhere.
     fn placed_at(self, corners: Vec<Vec3>) -> Result<Self, ShapeError> {
-        Self::with_topology(Arc::clone(&self.topology), corners)
+        let hull = Self::with_topology(Arc::clone(&self.topology), corners)?;
+        let is_convex = hull.vertices().iter().all(|&corner| hull.contains(corner));
+        if is_convex { Ok(hull) } else { Err(ShapeError::Flat) }
     }
 }
 

@@ -14,7 +14,7 @@ use crate::store::{Hash, Hasher};
 /// corners counter-clockwise, seen from outside, from the lowest one; faces are sorted. Edges are
 /// sorted by their ends. No two faces lie in one plane, nor two edges of a face on one line, where
 /// the hull was made.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub struct HullTopology {
     vertices: u32,
     faces: Lists,
@@ -26,7 +26,7 @@ pub struct HullTopology {
 }
 
 /// Where two faces of a convex hull meet.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct HullEdge {
     /// The lower vertex, then the higher one.
     pub ends: [u32; 2],
@@ -74,7 +74,8 @@ impl HullTopology {
     }
 
     /// For every face the three of its corners with the greatest area between them, in its order;
-    /// of several such the first. Its normal is theirs.
+    /// of several such the first. Of more than 64 corners only 64, evenly spaced, are looked at.
+    /// Its normal is theirs.
     #[inline]
     #[must_use]
     pub fn widest_corners(&self) -> &[[u32; 3]] {
@@ -131,11 +132,16 @@ fn edges(faces: &Lists) -> Vec<HullEdge> {
     pairs.iter().map(edge).collect()
 }
 
-/// See [`HullTopology::widest_corners`]. O(k^2) for k corners.
+/// Of so many corners of a face the widest are looked for.
+const WIDEST_OF_MAX: usize = 64;
+
+/// See [`HullTopology::widest_corners`]. O(k^2) for k corners, of which there are few.
 ///
 /// Beyond a side of a convex polygon the distance of its corners rises, then falls; and where the
 /// side's end moves on, so does the farthest corner.
 fn widest(polygon: &[u32], positions: &[[i64; 3]]) -> [u32; 3] {
+    let shown = polygon.len().min(WIDEST_OF_MAX);
+    let polygon: Vec<u32> = (0..shown).map(|k| polygon[k * polygon.len() / shown]).collect();
     let at = |k: usize| positions[polygon[k] as usize];
     // All normals are parallel: the sums of their components' sizes compare as their lengths do.
     // Below 3 * 2^82.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use verlock::geometry::{ConvexHull, Cuboid, TriangleMesh, orient3d};
+use verlock::geometry::{ConvexHull, Cuboid, MeshError, TriangleMesh, orient3d};
 use verlock::math::trig::cos_sin;
 use verlock::math::wide::{round_shift, round_shift_wide};
 use verlock::math::{Unit, UnitVec3};
@@ -42,7 +42,9 @@ pub(super) fn of_box(cuboid: &Cuboid) -> Look {
 ///
 /// Between two corners the surface bulges by `1 - cos(pi / 64)` of the radius at most, along rings
 /// and across, and rounding adds a raw unit or so: less than 2^-8 of the radius and 4 units.
-pub(super) fn round(ends: [Vec3; 2], radius: Real) -> Look {
+///
+/// Shapes have their centres where meshes can be, and may reach farther.
+pub(super) fn round(ends: [Vec3; 2], radius: Real) -> Result<Look, MeshError> {
     let frame = frame(ends);
     // From one pole to the other; the widest ring is there once for each end.
     let quarter = SIDES / 4;
@@ -70,12 +72,11 @@ pub(super) fn round(ends: [Vec3; 2], radius: Real) -> Look {
             [[a, b, c], [a, c, d]]
         })
     });
-    let mesh = TriangleMesh::new(vertices, faces).expect("a shape is in range");
+    let mesh = TriangleMesh::new(vertices, faces)?;
     // Poles become one vertex, and half the faces at them lines, which are left out.
-    let mesh = mesh.welded(Real::ZERO).and_then(|mesh| mesh.decimated(usize::MAX));
-    let mesh = mesh.expect("faces are short");
+    let mesh = mesh.welded(Real::ZERO)?.decimated(usize::MAX)?;
     let rough = Real::from_raw((radius.raw() >> 8) + 4);
-    Look { mesh: Arc::new(mesh), rough }
+    Ok(Look { mesh: Arc::new(mesh), rough })
 }
 
 /// Along a way, and two directions across, right-handed, 30 fractional bits.

@@ -58,33 +58,35 @@ impl Wanted {
         }
         let refused = |error: ShapeError| input.refused(error);
         let around = ConvexHull::around(original.vertices().iter().copied()).map_err(refused)?;
-        let proxy = match (hull, fit) {
-            (Some(vertices), _) => fit_hull(&around, vertices).map(|fit| hull_proxy(&fit)),
-            (None, Some(Simple::Capsule)) => {
-                fit_capsule(&around).map(|Fit { shape, deviation }| {
-                    let ends = shape.ends();
-                    if ends[0] == ends[1] {
-                        tell("the smallest capsule around it is a sphere");
-                    }
-                    let numbers =
-                        json!({ "ends": ends.map(text), "radius": number(shape.radius()) });
-                    proxy("capsule", round(ends, shape.radius()), deviation, numbers)
-                })
+        let too_far = |_| input.refused("the shape around it reaches beyond 2^36 m");
+        match (hull, fit) {
+            (Some(vertices), _) => {
+                fit_hull(&around, vertices).map(|fit| hull_proxy(&fit)).map_err(refused)
             }
-            (None, Some(Simple::Box)) => fit_cuboid(&around).map(|Fit { shape, deviation }| {
+            (None, Some(Simple::Capsule)) => {
+                let Fit { shape, deviation } = fit_capsule(&around).map_err(refused)?;
+                let (ends, radius) = (shape.ends(), shape.radius());
+                if ends[0] == ends[1] {
+                    tell("the smallest capsule around it is a sphere");
+                }
+                let numbers = json!({ "ends": ends.map(text), "radius": number(radius) });
+                let look = round(ends, radius).map_err(too_far)?;
+                Ok(proxy("capsule", look, deviation, numbers))
+            }
+            (None, Some(Simple::Box)) => {
+                let Fit { shape, deviation } = fit_cuboid(&around).map_err(refused)?;
                 let half_edges = shape.half_edges().map(text);
                 let numbers = json!({ "center": text(shape.center()), "half_edges": half_edges });
-                proxy("box", of_box(&shape), deviation, numbers)
-            }),
-            (None, Some(Simple::Sphere) | None) => {
-                fit_sphere(&around).map(|Fit { shape, deviation }| {
-                    let (center, radius) = (shape.center(), shape.radius());
-                    let numbers = json!({ "center": text(center), "radius": number(radius) });
-                    proxy("sphere", round([center; 2], radius), deviation, numbers)
-                })
+                Ok(proxy("box", of_box(&shape), deviation, numbers))
             }
-        };
-        proxy.map_err(refused)
+            (None, Some(Simple::Sphere) | None) => {
+                let Fit { shape, deviation } = fit_sphere(&around).map_err(refused)?;
+                let (center, radius) = (shape.center(), shape.radius());
+                let numbers = json!({ "center": text(center), "radius": number(radius) });
+                let look = round([center; 2], radius).map_err(too_far)?;
+                Ok(proxy("sphere", look, deviation, numbers))
+            }
+        }
     }
 }
 

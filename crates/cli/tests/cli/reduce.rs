@@ -142,4 +142,22 @@ fn what_makes_no_sense_is_refused() {
     // A sheet has no volume.
     sandbox.run(&["reduce", "sheet.obj", "--hull", "8"]).expect(3).says("sheet.obj: ");
     assert_eq!(sandbox.read("cube.obj"), CUBE.as_bytes());
+    // At the end of the world there is no room for what is round.
+    let edge = CUBE_AT_THE_EDGE;
+    sandbox.write("edge.obj", edge.as_bytes());
+    for fit in ["sphere", "capsule"] {
+        let found = sandbox.run(&["reduce", "edge.obj", "--fit", fit]).expect(3);
+        found.says("edge.obj: the shape around it reaches beyond 2^36 m");
+    }
 }
+
+const CUBE_AT_THE_EDGE: &str = "\
+v 68719476730 0 0
+v 68719476736 0 0
+v 68719476730 6 0
+v 68719476730 0 6
+f 1 2 3
+f 1 2 4
+f 1 3 4
+f 2 3 4
+";
