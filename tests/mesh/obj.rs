@@ -24,7 +24,7 @@ fn faces(text: &str) -> Vec<[u32; 3]> {
 #[test]
 fn fixtures_are_read_and_written_back() {
     let files = fixtures("meshes");
-    assert_eq!(files.len(), 4);
+    assert_eq!(files.len(), 5);
     for (path, text) in files {
         let obj = read(&text);
         assert_eq!(read(&obj.to_string()), obj, "{path}");
