@@ -55,8 +55,9 @@ fn check(rng: &mut Pcg, size: i64, gap: i64) -> bool {
     match (&found, first) {
         (None, None) => {}
         (Some(found), Some(first)) => {
+            // Either may be early by a few units. That it is never late is told in big integers.
             let late = found.time.raw() - first.raw();
-            assert!(late <= 0, "{found:?}, all pairs: {first}");
+            assert!(late <= 64, "{found:?}, all pairs: {first}");
             assert!(late >= -64 || found.is_cut, "{found:?}, all pairs: {first}");
             assert!(found.features.is_sorted(), "{found:?}");
             let kinds = found.features.iter().map(|features| features.map(|f| f.kind()));
