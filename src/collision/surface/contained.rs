@@ -2,17 +2,16 @@
 
 use alloc::vec::Vec;
 
+use super::DEPTH_MAX;
 use super::contains::is_within;
-use super::feet::{Feet, Foot};
-use super::manifolds::grown;
-use super::near::Near;
+use super::feet::Foot;
 use super::proximity::{along, scaled};
 use super::shell::{Shell, is_free};
 use super::tangle::beyond;
 use crate::collision::{Contact, FeatureId};
 use crate::geometry::{Aabb, Surface};
 use crate::math::wide::{add, sub};
-use crate::math::{Real, UnitVec3, Vec3};
+use crate::math::{UnitVec3, Vec3};
 
 /// The normal and the contacts of two surfaces of which one is inside the other as a whole: what
 /// hangs together with its first face is. They must not intersect.
@@ -77,7 +76,7 @@ fn exit<A: Surface, B: Surface>(outer: &A, inner: &B, shell: &Shell, start: Vec3
     // Coordinates are below 2^61.
     let middle = Vec3::from_raw([0, 1, 2].map(|k| low[k] + (high[k] - low[k]) / 2));
     let middle = if is_within(outer, middle) { middle } else { start };
-    let foot = foot(outer, middle)?;
+    let foot = Foot::of_inside(outer, middle, DEPTH_MAX)?;
     let exit = Exit { normal: -foot.normal, feature: foot.feature, point: foot.position };
     let height = |&(_, point): &(u32, Vec3)| along(exit.normal, sub(point.raw(), exit.point.raw()));
     let out = beyond(exit.normal, -shell.vertices.iter().map(height).min()?);
@@ -94,19 +93,4 @@ fn exit<A: Surface, B: Surface>(outer: &A, inner: &B, shell: &Shell, start: Vec3
     });
     let (_, normal, point) = ways.min_by_key(|&(depth, ..)| depth)?;
     Some(Exit { normal, point, ..exit })
-}
-
-/// Where a surface is nearest to a point inside it.
-fn foot<S: Surface>(surface: &S, point: Vec3) -> Option<Foot> {
-    let (mut names, mut feet) = (Vec::new(), Feet::default());
-    // From 1 mm to beyond the longest mesh.
-    for reach in (14..62).map(|bits| Real::from_raw(1 << bits)) {
-        surface.faces_near(&grown(&Aabb::of_point(point), reach), &mut names);
-        let faces: Vec<_> = names.iter().map(|&face| Near::of(surface, face)).collect();
-        let found = feet.of(surface, point, faces.iter(), reach).first();
-        if let Some(foot) = found {
-            return (foot.separation < Real::ZERO).then_some(*foot);
-        }
-    }
-    None
 }

@@ -3,17 +3,15 @@
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
+use super::DEPTH_MAX;
 use super::contains::is_within;
-use super::feet::{Feet, Foot, normal_of};
-use super::manifolds::grown;
+use super::feet::{Foot, normal_of};
 use super::near::Near;
 use super::proximity::{Proximity, along, scaled};
 use super::round::{Round, step};
-use super::{DEPTH_MAX, REACH_MAX};
 use crate::collision::{Contact, FeatureId};
 use crate::geometry::{
-    Aabb, Surface, Triangle, closest_convex, closest_point_triangle, orient3d,
-    overlap_triangle_triangle,
+    Surface, Triangle, closest_convex, closest_point_triangle, orient3d, overlap_triangle_triangle,
 };
 use crate::math::wide::{dot_wide, sub};
 use crate::math::{Real, UnitVec3, Vec3};
@@ -95,7 +93,9 @@ impl<S: Surface> Round<'_, S> {
         }
         if self.surface.is_closed() && !self.surface.is_two_sided() {
             let ends = self.segment.ends().into_iter().take(self.ends_len());
-            let feet = ends.filter_map(|end| self.far_foot(end));
+            let inside = ends.filter(|end| is_within(self.surface, *end));
+            let feet = inside
+                .filter_map(|end| Foot::of_inside(self.surface, end, self.reach.max(DEPTH_MAX)));
             exits.extend(feet.map(|foot| Exit::of_foot(&foot)));
         }
         if exits.is_empty() {
@@ -171,24 +171,6 @@ impl<S: Surface> Round<'_, S> {
                 let (ends, corners) = (self.segment.ends(), near.triangle.corners());
                 closest_convex(&ends, corners, Vec3::ZERO, self.radius).is_none()
             }
-    }
-
-    /// Where the surface is nearest to a point that is inside of it, as far as that may be.
-    fn far_foot(&self, point: Vec3) -> Option<Foot> {
-        if !is_within(self.surface, point) {
-            return None;
-        }
-        let (mut feet, mut names) = (Feet::default(), Vec::new());
-        let mut reach = self.reach.max(DEPTH_MAX);
-        loop {
-            self.surface.faces_near(&grown(&Aabb::of_point(point), reach), &mut names);
-            let faces: Vec<_> = names.iter().map(|&face| Near::of(self.surface, face)).collect();
-            let foot = feet.of(self.surface, point, faces.iter(), reach).first().copied();
-            if foot.is_some() || reach == REACH_MAX {
-                return foot.filter(|foot| foot.separation < Real::ZERO);
-            }
-            reach = (reach + reach).min(REACH_MAX);
-        }
     }
 }
 

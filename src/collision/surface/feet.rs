@@ -2,10 +2,14 @@
 
 use alloc::vec::Vec;
 
+use super::REACH_MAX;
+use super::manifolds::grown;
 use super::near::Near;
 use super::side::{Side, side};
 use crate::collision::{FeatureId, FeatureKind};
-use crate::geometry::{Feature, Surface, Triangle, closest_point_triangle, normal_point_triangle};
+use crate::geometry::{
+    Aabb, Feature, Surface, Triangle, closest_point_triangle, normal_point_triangle,
+};
 use crate::math::{Real, UnitVec3, Vec3};
 
 /// A place of a surface to which a point is nearer than to all others around.
@@ -32,6 +36,24 @@ struct Candidate {
 
 /// Distances are to rounded places: those of two that are equally far differ by no more than this.
 const ROUNDED: Real = Real::from_raw(2);
+
+impl Foot {
+    /// Where a surface is nearest to a point that is inside of it, but no farther than
+    /// [`REACH_MAX`]; looked for from some reach on.
+    pub(super) fn of_inside<S: Surface>(surface: &S, point: Vec3, reach: Real) -> Option<Self> {
+        let (mut feet, mut names) = (Feet::default(), Vec::new());
+        let mut reach = reach.min(REACH_MAX);
+        loop {
+            surface.faces_near(&grown(&Aabb::of_point(point), reach), &mut names);
+            let faces: Vec<_> = names.iter().map(|&face| Near::of(surface, face)).collect();
+            let foot = feet.of(surface, point, faces.iter(), reach).first().copied();
+            if foot.is_some() || reach == REACH_MAX {
+                return foot.filter(|foot| foot.separation < Real::ZERO);
+            }
+            reach = (reach + reach).min(REACH_MAX);
+        }
+    }
+}
 
 /// Lists that are used again.
 #[derive(Debug, Default)]
@@ -91,7 +113,7 @@ impl Feet {
         reach: Real,
     ) {
         self.candidates.clear();
-        let bounds = crate::geometry::Aabb::of_point(point);
+        let bounds = Aabb::of_point(point);
         for near in faces.filter(|near| near.is_near(&bounds, reach)) {
             let foot = closest_point_triangle(point, &near.triangle);
             let distance = point.distance(foot.position);

@@ -8,6 +8,7 @@ use super::near::{fold, tip};
 use crate::collision::{FeatureId, FeatureKind};
 use crate::geometry::{Surface, orient3d};
 use crate::math::Vec3;
+use crate::math::determinant::cross;
 use crate::math::wide::sub;
 
 /// Where a point is, seen from the part of the surface that is nearest to it.
@@ -91,7 +92,7 @@ fn is_beside<S: Surface>(surface: &S, point: Vec3, edge: u32) -> bool {
     let (Some(face), None) = (faces.next(), faces.next()) else { return false };
     let Some(normal) = normal_of(surface, face) else { return true };
     let [from, to] = surface.ends(edge).map(|end| surface.position(end).raw());
-    let across = crate::math::determinant::cross(sub(to, from), normal.raw());
+    let across = cross(sub(to, from), normal.raw());
     let side = |to: Vec3| dot(across, sub(to.raw(), from)).signum();
     side(point) * side(tip(surface, edge, face)) < 0
 }
@@ -161,7 +162,7 @@ impl Wedge {
             sub(end.raw(), surface.position(vertex).raw())
         };
         let sides = [side(1), side(2)];
-        let normal = crate::math::determinant::cross(sides[0], sides[1]);
+        let normal = cross(sides[0], sides[1]);
         (normal != [0; 3]).then_some(Self { sides, normal })
     }
 
@@ -178,7 +179,7 @@ impl Wedge {
             [0, _] | [_, 0] | [1, 1] | [-1, -1] => return Some(0),
             _ => {}
         }
-        let across = crate::math::determinant::cross(from, to);
+        let across = cross(from, to);
         let ends = self.sides.map(|side| dot(across, side));
         let up = (heights[1] - heights[0]).signum();
         match [ends[0].signum() * up, -ends[1].signum() * up] {
