@@ -30,6 +30,13 @@ impl Capsule {
         Ok(Self { ends, radius })
     }
 
+    /// The capsule around a segment whose ends are known to be in range and near enough, with the
+    /// radius of another.
+    #[inline]
+    pub(crate) const fn between(ends: [Vec3; 2], radius: Real) -> Self {
+        Self { ends, radius }
+    }
+
     /// The ends of the segment, in metres: the centers of the caps.
     #[inline]
     #[must_use]

@@ -1,6 +1,6 @@
 //! Nearest points, against oracles in rational numbers.
 
-mod oracle;
+pub mod oracle;
 mod points;
 
 use verlock::Vec3;

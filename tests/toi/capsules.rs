@@ -1,4 +1,5 @@
-//! Round shapes: balls against an exact quadratic, capsules against looking often.
+//! Round shapes: balls against an exact quadratic, capsules against looking often; and landing
+//! before they touch, against exact distances.
 
 use num_bigint::BigInt;
 use verlock::geometry::sweep::{Motion, Sweep};
@@ -7,6 +8,7 @@ use verlock::math::{Pcg, Unit};
 use verlock::{Real, Vec3};
 
 use super::number;
+use crate::closest::oracle::{nearest, on_segments};
 
 fn point(rng: &mut Pcg, size: i64) -> Vec3 {
     Vec3::from_raw([(); 3].map(|()| number(rng, size)))
@@ -126,6 +128,73 @@ fn capsules(seed: u64, queries: u32) {
     }
     println!("capsules: {hits} hits of {queries}, {near} near");
     assert!(hits > queries / 30 && near * 100 >= hits * 99, "{near} of {hits}");
+}
+
+/// Whether two capsules have no point in common, in rational numbers.
+fn are_apart(a: &Capsule, b: &Capsule) -> bool {
+    let [on_a, on_b] = nearest(on_segments(a.ends(), b.ends()));
+    let [square, scale] = on_a.distance_sq(&on_b);
+    let reach = BigInt::from((a.radius() + b.radius()).raw());
+    square > &reach * &reach * scale
+}
+
+/// Pushes capsules towards one another, over and over again from where the last step has ended.
+fn land(seed: u64, steps: u32) {
+    let mut rng = Pcg::new(seed, 23);
+    let mut stopped = 0;
+    let mut pair = None;
+    for step in 0..steps {
+        let size: i64 = [30, 1 << 12, 1 << 20, 1 << 24, 1 << 34][(step / 16 % 5) as usize];
+        if step % 16 == 0 {
+            pair = None;
+        }
+        // Somewhere, side by side: sometimes with no more than a raw unit between, or balls.
+        let [a, b] = pair.unwrap_or_else(|| {
+            let along = size * i64::from(rng.below(2));
+            let [a, b] = [(); 2].map(|()| {
+                let radius = Real::from_raw(number(&mut rng, size / 3).abs());
+                let end = point(&mut rng, size);
+                Capsule::new([end, end + point(&mut rng, along)], radius).expect("in range")
+            });
+            let beside = (a.bounds().max().x - b.bounds().min().x).raw() + 1;
+            let away = Vec3::from_raw([beside + number(&mut rng, size).max(0), 0, 0]);
+            [a, Capsule::new(b.ends().map(|end| end + away), b.radius()).expect("in range")]
+        });
+        let way = (b.ends()[0] - a.ends()[0]).raw().map(|c| c.clamp(-size, size));
+        let by = Vec3::from_raw(way) + point(&mut rng, size / 4);
+        // The ends on their own, or not.
+        let own = size / 8 * i64::from(rng.below(2));
+        let mut moved = |capsule: Capsule, by: Vec3| {
+            let ends = capsule.ends().map(|end| end + by + point(&mut rng, own));
+            let end = Capsule::new(ends, capsule.radius()).expect("in range");
+            Motion::new(capsule, end)
+        };
+        let motions = [moved(a, by), moved(b, Vec3::ZERO)];
+        let gap = Real::from_raw([0, 2, size / 100][(step % 3) as usize]);
+        let sweep = Sweep { gap, ..Sweep::default() };
+        let time = sweep.advance_capsule_capsule(motions[0], motions[1]);
+        match sweep.capsule_capsule(motions[0], motions[1]) {
+            None => assert_eq!(time, Unit::ONE),
+            Some(impact) => assert!(time <= impact.time, "{motions:?}"),
+        }
+        let [a, b] = motions.map(|motion| motion.at(time));
+        assert!(are_apart(&a, &b), "{motions:?} {gap} {time}");
+        stopped += u32::from(time < Unit::ONE);
+        pair = Some([a, b]);
+    }
+    println!("{stopped} of {steps} stopped");
+    assert!(stopped > steps / 5, "{stopped} of {steps} stopped");
+}
+
+#[test]
+fn capsules_land_apart() {
+    land(1, 3_000);
+}
+
+#[test]
+#[ignore = "a million steps: a minute or two with --release"]
+fn capsules_land_apart_a_million_times() {
+    land(2, 1_000_000);
 }
 
 #[test]

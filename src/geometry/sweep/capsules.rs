@@ -1,10 +1,10 @@
 //! Round shapes in motion.
 
-use super::{Impact, Motion, Sweep};
+use super::{Impact, Motion, Sweep, back_off};
 use crate::geometry::{Capsule, Segment, Sphere, closest_segment_segment, normal_segment_segment};
 use crate::math::root::isqrt_wide_up;
 use crate::math::wide::{dot_wide, sub, to_i32, to_i64};
-use crate::math::{Unit, UnitVec3, Vec3};
+use crate::math::{Real, Unit, UnitVec3, Vec3};
 
 /// More planes are hardly ever needed: usually it is 2 or 3.
 const PLANES_MAX: u32 = 64;
@@ -19,10 +19,9 @@ impl Sweep {
     /// the next plane is looked for, and where it does not last, they touch but for a rounding.
     #[must_use]
     pub fn capsule_capsule(&self, a: Motion<Capsule>, b: Motion<Capsule>) -> Option<Impact> {
-        let radius = |c: &Motion<Capsule>| c.start.radius().max(c.end.radius()).raw();
         // Three lengths of at most 2^39.
-        let reach = radius(&a) + radius(&b) + self.gap();
-        let (a, b) = (axis(&a), axis(&b));
+        let reach = a.radius().raw() + b.radius().raw() + self.gap();
+        let (a, b) = (a.ends(), b.ends());
         let mut time = Unit::ZERO;
         for _ in 0..PLANES_MAX {
             let [segment_a, segment_b] =
@@ -47,15 +46,28 @@ impl Sweep {
     /// [`capsule_capsule`](Self::capsule_capsule).
     #[must_use]
     pub fn sphere_sphere(&self, a: Motion<Sphere>, b: Motion<Sphere>) -> Option<Impact> {
-        let capsule = |ball: Motion<Sphere>| Motion::new(ball.start.into(), ball.end.into());
-        self.capsule_capsule(capsule(a), capsule(b))
+        self.capsule_capsule(a.into(), b.into())
     }
-}
 
-/// The ends of a capsule.
-fn axis(capsule: &Motion<Capsule>) -> [Motion<Vec3>; 2] {
-    let ([a, b], [c, d]) = (capsule.start.ends(), capsule.end.ends());
-    [Motion::new(a, c), Motion::new(b, d)]
+    /// Until when both capsules can move such that, with ends rounded as [`Motion::at`] does, they
+    /// have no point in common: 1 if they never touch, otherwise strictly before they do, or 0.
+    /// O(1).
+    #[must_use]
+    pub fn advance_capsule_capsule(&self, a: Motion<Capsule>, b: Motion<Capsule>) -> Unit {
+        let Some(impact) = self.capsule_capsule(a, b) else { return Unit::ONE };
+        let bare = Self { gap: Real::ZERO, ..*self };
+        back_off(impact.time, |time| {
+            let [a, b] = [a, b].map(|capsule| Motion::rest(capsule.at(time)));
+            bare.capsule_capsule(a, b).is_none()
+        })
+    }
+
+    /// Until when both balls can move apart from one another. Otherwise like
+    /// [`advance_capsule_capsule`](Self::advance_capsule_capsule).
+    #[must_use]
+    pub fn advance_sphere_sphere(&self, a: Motion<Sphere>, b: Motion<Sphere>) -> Unit {
+        self.advance_capsule_capsule(a.into(), b.into())
+    }
 }
 
 /// Until when, from a time on, the ends of A and of B are farther apart along a normal than

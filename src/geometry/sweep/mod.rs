@@ -28,8 +28,7 @@ mod search;
 mod triangles;
 
 pub use motion::Motion;
-pub(crate) use motion::fall;
-pub(crate) use triangles::back_off;
+pub(crate) use motion::{back_off, fall};
 
 use super::Sphere;
 use super::triangle::is_in_range;

@@ -1,8 +1,8 @@
 //! Straight motion.
 
-use crate::geometry::Triangle;
+use crate::geometry::{Capsule, Sphere, Triangle};
 use crate::math::wide::{round_shift_wide, to_i32, to_i64};
-use crate::math::{Unit, Vec3};
+use crate::math::{Real, Unit, Vec3};
 
 /// Where something is at the start of a step and at its end; every point of it moves in between
 /// along a straight line, evenly.
@@ -67,6 +67,20 @@ pub(crate) fn fall(start: i64, end: i64) -> Option<Unit> {
     Some(Unit::from_raw(to_i32(share)))
 }
 
+/// The first of some times before this at which something is clear: 2^-30 before, then each time
+/// about twice as long before; or 0.
+pub(crate) fn back_off(time: Unit, is_clear: impl Fn(Unit) -> bool) -> Unit {
+    let mut back = 1;
+    loop {
+        let earlier = Unit::from_raw((time.raw() - back).max(0));
+        if earlier == Unit::ZERO || is_clear(earlier) {
+            return earlier;
+        }
+        // A time is at most 2^30, so that this is at most 2^31 - 1.
+        back = 2 * back + 1;
+    }
+}
+
 impl Motion<Triangle> {
     /// Where it is at a time in 0..=1, every corner rounded as a point.
     #[must_use]
@@ -81,5 +95,35 @@ impl Motion<Triangle> {
         let [a, b, c] = *self.start.corners();
         let [d, e, f] = *self.end.corners();
         [Motion::new(a, d), Motion::new(b, e), Motion::new(c, f)]
+    }
+}
+
+impl Motion<Capsule> {
+    /// Where it is at a time in 0..=1, both ends rounded as points, with the larger of its radii.
+    #[must_use]
+    pub fn at(&self, time: Unit) -> Capsule {
+        Capsule::between(self.ends().map(|end| end.at(time)), self.radius())
+    }
+
+    /// The motions of its ends.
+    #[inline]
+    #[must_use]
+    pub fn ends(&self) -> [Motion<Vec3>; 2] {
+        let ([a, b], [c, d]) = (self.start.ends(), self.end.ends());
+        [Motion::new(a, c), Motion::new(b, d)]
+    }
+
+    /// The larger of its radii, in metres, which counts for all of the step.
+    #[inline]
+    #[must_use]
+    pub fn radius(&self) -> Real {
+        self.start.radius().max(self.end.radius())
+    }
+}
+
+impl From<Motion<Sphere>> for Motion<Capsule> {
+    /// The ball as a capsule whose ends are one point.
+    fn from(ball: Motion<Sphere>) -> Self {
+        Self::new(ball.start.into(), ball.end.into())
     }
 }

@@ -1,6 +1,6 @@
 //! Two triangles in motion.
 
-use super::{Impact, Motion, Sweep};
+use super::{Impact, Motion, Sweep, back_off};
 use crate::geometry::{Triangle, overlap_triangle_triangle};
 use crate::math::Unit;
 
@@ -52,18 +52,4 @@ impl Sweep {
 /// The edges between corners.
 fn edges<T: Copy>([a, b, c]: [T; 3]) -> [[T; 2]; 3] {
     [[a, b], [b, c], [c, a]]
-}
-
-/// The first of some times before this at which something is clear: 2^-30 before, then each time
-/// about twice as long before; or 0.
-pub(crate) fn back_off(time: Unit, is_clear: impl Fn(Unit) -> bool) -> Unit {
-    let mut back = 1;
-    loop {
-        let earlier = Unit::from_raw((time.raw() - back).max(0));
-        if earlier == Unit::ZERO || is_clear(earlier) {
-            return earlier;
-        }
-        // A time is at most 2^30, so that this is at most 2^31 - 1.
-        back = 2 * back + 1;
-    }
 }
