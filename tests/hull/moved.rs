@@ -162,6 +162,34 @@ fn validate_planes(hull: &ConvexHull) {
     }
 }
 
+/// Of a face of many corners in an arc and one far away, that one tells the normal, whatever its
+/// number: of those in the arc alone, rounding would tilt it.
+#[test]
+fn far_corners_tell_normals() {
+    let mut ways: Vec<Point> = Vec::new();
+    for (x, y) in (1..15).flat_map(|x| (1..15).map(move |y| (x, y))) {
+        let is_new = ways.iter().all(|way| way[0] * y != way[1] * x);
+        ways.extend(is_new.then_some([x, y, 0]));
+    }
+    ways.sort_by(|a, b| (a[1] * b[0]).cmp(&(b[1] * a[0])));
+    let mut arc: Vec<Point> = vec![[0; 3]];
+    for way in ways {
+        let end = *arc.last().expect("a start");
+        arc.push([0, 1, 2].map(|k| end[k] + way[k]));
+    }
+    let far = Vec3::from_raw([-(1 << 24), 1 << 24, 0]);
+    for place in 0..arc.len() {
+        let mut points: Vec<_> = arc.iter().map(|&p| Vec3::from_raw(p)).collect();
+        points.insert(place, far);
+        points.push(Vec3::from_raw([-(1 << 23), 1 << 23, -(1 << 24)]));
+        let hull = ConvexHull::around(points).expect("a hull");
+        let number = hull.faces().position(|face| face.len() > 100).expect("a large face");
+        let widest = hull.topology().widest_corners()[number];
+        let is_far = |&corner: &u32| hull.vertices()[corner as usize] == far;
+        assert!(widest.iter().any(is_far), "{place}: {widest:?}");
+    }
+}
+
 /// Wrong numbers of vertices, and places that are too far or too far apart, are refused.
 #[test]
 fn bad_places_are_refused() {

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use super::quickhull::simplex;
 use crate::geometry::lists::Lists;
 use crate::math::determinant::cross;
-use crate::math::wide::sub;
+use crate::math::wide::{dot_wide, sub};
 use crate::store::{Hash, Hasher};
 
 /// What a convex hull keeps wherever it is moved: corners of faces, and edges. Immutable.
@@ -132,16 +132,22 @@ fn edges(faces: &Lists) -> Vec<HullEdge> {
     pairs.iter().map(edge).collect()
 }
 
-/// Of so many corners of a face the widest are looked for.
+/// Of so many corners of a face, and three that are far apart, the widest are looked for.
 const WIDEST_OF_MAX: usize = 64;
 
-/// See [`HullTopology::widest_corners`]. O(k^2) for k corners, of which there are few.
+/// See [`HullTopology::widest_corners`]. O(k + n^2) for n of k corners, of which there are few.
 ///
 /// Beyond a side of a convex polygon the distance of its corners rises, then falls; and where the
 /// side's end moves on, so does the farthest corner.
 fn widest(polygon: &[u32], positions: &[[i64; 3]]) -> [u32; 3] {
-    let shown = polygon.len().min(WIDEST_OF_MAX);
-    let polygon: Vec<u32> = (0..shown).map(|k| polygon[k * polygon.len() / shown]).collect();
+    let count = polygon.len().min(WIDEST_OF_MAX);
+    let mut shown: Vec<_> = (0..count).map(|k| k * polygon.len() / count).collect();
+    if count < polygon.len() {
+        shown.extend(far_apart(polygon, positions));
+        shown.sort_unstable();
+        shown.dedup();
+    }
+    let polygon: Vec<u32> = shown.into_iter().map(|k| polygon[k]).collect();
     let at = |k: usize| positions[polygon[k] as usize];
     // All normals are parallel: the sums of their components' sizes compare as their lengths do.
     // Below 3 * 2^82.
@@ -164,6 +170,21 @@ fn widest(polygon: &[u32], positions: &[[i64; 3]]) -> [u32; 3] {
         }
     }
     best.map(|k| polygon[k])
+}
+
+/// The places of three corners of a polygon: the one farthest from the first, the one farthest from
+/// that, and the one farthest from the line through both. O(k).
+fn far_apart(polygon: &[u32], positions: &[[i64; 3]]) -> [usize; 3] {
+    let way = |from: usize, to: usize| {
+        sub(positions[polygon[to] as usize], positions[polygon[from] as usize])
+    };
+    // Below 3 * 2^82, and the sums of components likewise.
+    let farthest = |size: &dyn Fn(usize) -> i128| (0..polygon.len()).max_by_key(|&k| size(k));
+    let from = |place: usize| farthest(&|k| dot_wide(way(place, k), way(place, k))).unwrap_or(0);
+    let one = from(0);
+    let other = from(one);
+    let beside = |k: usize| cross(way(one, other), way(one, k)).map(i128::abs).iter().sum();
+    [one, other, farthest(&beside).unwrap_or(0)]
 }
 
 /// See [`HullTopology::content_hash`].
