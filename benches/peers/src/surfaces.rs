@@ -1,5 +1,5 @@
-//! Contact manifolds of meshes: capsules on hills, beside parry's, and pairs of rings, which parry
-//! does not take.
+//! Contact manifolds of meshes: capsules on hills, beside parry's, and pairs of rings
+//! and pairs of hills, which parry does not take.
 
 use std::f64::consts::TAU;
 use std::hint::black_box;
@@ -34,6 +34,7 @@ pub fn run() {
     capsules("hills", |x, z| 0.6 * (0.9 * x).sin() * (0.7 * z).cos());
     capsules("a plain", |_, _| 0.0);
     rings();
+    hills();
 }
 
 /// Numbers in 0..1.
@@ -114,14 +115,26 @@ fn rings() {
     ];
     for (name, place) in places {
         let second = shape(&vertices, &faces, place);
-        let mut manifolds = Vec::new();
-        let time = shortest(&(), |()| {
-            manifolds.clear();
-            manifolds_mesh_mesh(&first, &second, real(0.005), &mut manifolds);
-        });
-        let (micros, count) = (time.as_secs_f64() * 1e6, manifolds.len());
-        println!("rings {name}: {micros:.0} us, {count} manifolds");
+        pair(&format!("rings {name}"), &first, &second);
     }
+}
+
+/// Hills that cut through hills in many places, none of which leads out of the others.
+fn hills() {
+    let (vertices, faces) = ground(|x, z| 0.3 * (3.1 * x).sin() * (2.3 * z).cos());
+    let first = shape(&vertices, &faces, |p| p);
+    let second = shape(&vertices, &faces, |p| [p[0] + 0.9, p[1] + 0.1, p[2] + 0.4]);
+    pair("hills through hills", &first, &second);
+    pair("cloth through cloth", &first.two_sided(), &second.two_sided());
+}
+
+fn pair(name: &str, first: &MeshShape, second: &MeshShape) {
+    let mut manifolds = Vec::new();
+    let time = shortest(&(), |()| {
+        manifolds.clear();
+        manifolds_mesh_mesh(first, second, real(0.005), &mut manifolds);
+    });
+    println!("{name}: {:.0} us, {} manifolds", time.as_secs_f64() * 1e6, manifolds.len());
 }
 
 /// The shortest time of a capsule in nanoseconds, and the points of one.

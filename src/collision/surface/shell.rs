@@ -59,7 +59,8 @@ pub(super) fn is_free<S: Surface, T: Surface>(
     other: &T,
 ) -> bool {
     let moved = |corner: &Vec3| Vec3::from_raw(add(corner.raw(), way));
-    // Faces are within 2^60, and move by less than 2^62.
+    // Faces are within 2^60 and move by less than 2^62: what overlaps the box around a face of the
+    // other surface is within 2^61, and only that is asked whether it meets one.
     let own = faces.iter().map(|&face| surface.triangle(face).corners().each_ref().map(moved));
     let own = sorted(own.map(Triangle::between));
     let Some(bounds) = own.iter().map(|face| face.0).reduce(Aabb::union) else { return true };

@@ -15,6 +15,7 @@ mod groups;
 mod inside;
 mod turned;
 mod way;
+mod wholes;
 
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
@@ -30,6 +31,7 @@ use contour::Contour;
 use groups::Groups;
 use turned::Turned;
 use way::{Way, way_out};
+use wholes::Wholes;
 
 pub(super) use way::beyond;
 
@@ -77,6 +79,7 @@ impl Tangle {
 fn parts<A: Surface, B: Surface>(a: &A, b: &B, contour: &Contour) -> Vec<(Component, Way)> {
     let mut groups = Groups::new(contour.knots.len());
     let mut found = Vec::new();
+    let (mut wholes_a, mut wholes_b) = (Wholes::new(a), Wholes::new(b));
     for turns in 0..4 {
         let [turn_a, turn_b] = [turns & 1 == 1, turns & 2 == 2];
         if contour.links.is_empty() || turn_a && !a.is_two_sided() || turn_b && !b.is_two_sided() {
@@ -85,7 +88,7 @@ fn parts<A: Surface, B: Surface>(a: &A, b: &B, contour: &Contour) -> Vec<(Compon
         let a = Turned { surface: a, is_turned: turn_a };
         let b = Turned { surface: b, is_turned: turn_b };
         for component in components(&a, &b, contour) {
-            let way = way_out(&a, &b, &component);
+            let way = way_out((&a, &b), &component, (&mut wholes_a, &mut wholes_b));
             let knots = component.knots.iter().map(|knot| contour.place(knot));
             let first = knots.reduce(|first, knot| {
                 groups.join(first, knot);

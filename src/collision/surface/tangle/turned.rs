@@ -56,4 +56,8 @@ impl<S: Surface> Surface for Turned<'_, S> {
     fn is_two_sided(&self) -> bool {
         self.surface.is_two_sided()
     }
+
+    fn is_closed(&self) -> bool {
+        self.surface.is_closed()
+    }
 }

@@ -4,10 +4,12 @@ use alloc::vec::Vec;
 use core::cmp::Reverse;
 
 use super::component::Component;
+use super::turned::Turned;
+use super::wholes::Wholes;
 use crate::collision::surface::feet::normal_of;
 use crate::collision::surface::manifolds::grown;
 use crate::collision::surface::proximity::scaled;
-use crate::collision::surface::shell::{Shell, is_free};
+use crate::collision::surface::shell::is_free;
 use crate::geometry::Surface;
 use crate::math::wide::{dot_wide, round_shift_wide, sub, to_i64};
 use crate::math::{Real, UnitVec3, Vec3};
@@ -56,7 +58,11 @@ fn rank(normal: UnitVec3) -> UnitVec3 {
 /// along the area, such a normal, or an axis. That may be farther than needed: if it is more than
 /// twice as far as the component reaches along the area, it is along the area, which frees a part
 /// at least.
-pub(super) fn way_out<A: Surface, B: Surface>(a: &A, b: &B, component: &Component) -> Way {
+pub(super) fn way_out<A: Surface, B: Surface>(
+    (a, b): (&Turned<A>, &Turned<B>),
+    component: &Component,
+    wholes: (&mut Wholes<A>, &mut Wholes<B>),
+) -> Way {
     let area = component.normal();
     let along = |normal: &UnitVec3| area.map_or(0, |area| dot_wide(area.raw(), normal.raw()));
     let mut normals = Vec::new();
@@ -87,29 +93,41 @@ pub(super) fn way_out<A: Surface, B: Surface>(a: &A, b: &B, component: &Componen
         return *way;
     }
     normals.extend(area);
-    let apart = apart(a, b, component, &normals);
+    let apart = apart(wholes, component, &normals);
     let along_area = area.map(|area| component.way(area));
     // Below 2^62.
     let is_near = |way: &Way| way.depth.raw() < apart.depth.raw() / 2;
     along_area.filter(is_near).unwrap_or(apart)
 }
 
-/// The shortest way that parts what hangs together with a component, and lessens it at once.
-fn apart<A: Surface, B: Surface>(a: &A, b: &B, component: &Component, normals: &[UnitVec3]) -> Way {
-    let shells = [Shell::of(a, &component.rims[0]), Shell::of(b, &component.rims[1])];
+/// The shortest way that parts what hangs together with a component, and lessens it at once. O(1)
+/// for each direction that cannot be the shortest, as far as the ends of shells tell.
+fn apart<A: Surface, B: Surface>(
+    (a, b): (&mut Wholes<A>, &mut Wholes<B>),
+    component: &Component,
+    normals: &[UnitVec3],
+) -> Way {
+    let shells = [a.of(&component.rims[0]), b.of(&component.rims[1])];
     let origin = component.origin();
-    let axes = [UnitVec3::X, UnitVec3::Y, UnitVec3::Z];
-    let both = axes.iter().chain(normals).flat_map(|&normal| [normal, -normal]);
     let area = component.normal();
     let is_out = |n: &UnitVec3| area.is_none_or(|area| dot_wide(area.raw(), n.raw()) > 0);
-    let ways = both.filter(is_out).map(|normal| {
-        let [of_a, of_b] = shells.each_ref().map(|shell| {
-            let points = shell.vertices.iter();
-            points.map(move |&(_, point)| reach(normal, point, origin))
-        });
-        let depth = of_a.max().unwrap_or(0) - of_b.min().unwrap_or(0);
-        Way { normal, depth: length(depth), levels: None }
-    });
-    let shortest = ways.min_by_key(|way| (way.depth, rank(way.normal)));
-    shortest.unwrap_or_else(|| component.way(UnitVec3::Y))
+    let rank = |way: &Way| (way.depth, rank(way.normal));
+    let way = |normal: UnitVec3, reach: i128| Way { normal, depth: length(reach), levels: None };
+    let both = |normal: &UnitVec3| [*normal, -*normal];
+    let at_least = |normal: UnitVec3| {
+        let of_a = a.reach_at_least(&shells[0], normal, origin);
+        way(normal, of_a + b.reach_at_least(&shells[1], -normal, origin))
+    };
+    let axes = [UnitVec3::X, UnitVec3::Y, UnitVec3::Z];
+    let along_axes = axes.iter().flat_map(both).filter(is_out).map(at_least);
+    let mut best = along_axes.min_by_key(rank);
+    for normal in normals.iter().flat_map(both).filter(is_out) {
+        if best.is_some_and(|best| best.depth < at_least(normal).depth) {
+            continue;
+        }
+        let of_a = a.reach(&shells[0], normal, origin);
+        let way = way(normal, of_a + b.reach(&shells[1], -normal, origin));
+        best = best.filter(|best| rank(best) <= rank(&way)).or(Some(way));
+    }
+    best.unwrap_or_else(|| component.way(UnitVec3::Y))
 }
