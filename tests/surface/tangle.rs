@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use verlock::collision::{Manifold, MeshShape, Shape, collide};
-use verlock::geometry::{ConvexHull, Cuboid, HeightField, Sphere, Triangle, TriangleMesh};
+use verlock::geometry::{ConvexHull, Cuboid, Grid, HeightField, Sphere, Triangle, TriangleMesh};
 use verlock::math::Pcg;
 use verlock::{Real, Vec3, real};
 
@@ -143,6 +143,46 @@ fn sheets_push_to_either_side() {
             for body in &bodies {
                 assert_way(&manifolds(sheet, body), [0.0, up, 0.0], depth);
             }
+        }
+    }
+}
+
+/// Sheets whose vertices and edges lie on those of what they go through part from it like others.
+#[test]
+fn what_stands_on_a_grid_parts() {
+    let sheet = |corner: [f64; 3], cells: u32| {
+        let (edge_u, edge_v) = (fixed([0.0, 0.0, 4.0]), fixed([4.0, 0.0, 0.0]));
+        let (columns, rows) = (cells + 1, cells + 1);
+        let grid = Grid { corner: fixed(corner), edge_u, edge_v, columns, rows };
+        Shape::from(MeshShape::new(Arc::new(TriangleMesh::grid(&grid).expect("legal"))).two_sided())
+    };
+    let bodies: [Shape; 3] = [
+        cube().shape().into(),
+        Solid::cubes([1, 1, 1], 2, |_| true).shape().into(),
+        cuboid([0.0; 3], [1.0; 3]),
+    ];
+    for body in &bodies {
+        for cells in [1, 2, 4, 8, 16] {
+            for place in 0..16 {
+                let [x, z] = [place % 4, place / 4].map(|k| f64::from(k) * 0.5 - 2.5);
+                for (height, depth, up) in [(0.25, 0.25, 1.0), (0.75, 0.25, -1.0), (0.9, 0.1, -1.0)]
+                {
+                    let mut found = manifolds(&sheet([x, height, z], cells), body);
+                    // Vertices on its sides may touch these.
+                    found.sort_by_key(Manifold::separation);
+                    assert!(found[1..].iter().all(|touch| metres(touch.separation()) > -1e-5));
+                    assert_way(&found[..1], [0.0, up, 0.0], depth);
+                }
+            }
+            // Half on it: as deep as beside.
+            let deepest = |way: f64| {
+                let sheet = sheet([0.5 + way, 0.75 + 1.3 * way, 0.5 + 0.7 * way], cells);
+                let found = manifolds(&sheet, body);
+                metres(found.iter().map(Manifold::separation).min().expect("they overlap"))
+            };
+            let depths = [0.0, 2e-5].map(deepest);
+            assert!((depths[0] - depths[1]).abs() < 1e-4, "{cells}: {depths:?}");
+            assert!((depths[0] + 0.25).abs() < 1e-4, "{cells}: {depths:?}");
         }
     }
 }

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use super::contour::{Contour, Knot};
 use super::groups::Groups;
 use super::inside::inside;
-use super::turned::Turned;
+use super::view::View;
 use super::way::{Way, length, reach};
 use crate::collision::surface::proximity::scaled;
 use crate::collision::{Contact, FeatureId, FeatureKind};
@@ -33,11 +33,11 @@ pub(super) struct Component {
 
 /// The components of an overlap, in the order of their lowest knots.
 pub(super) fn components<A: Surface, B: Surface>(
-    a: &Turned<A>,
-    b: &Turned<B>,
+    a: &View<A>,
+    b: &View<B>,
     contour: &Contour,
 ) -> Vec<Component> {
-    let Contour { knots, links } = contour;
+    let Contour { knots, links, .. } = contour;
     let mut groups = Groups::new(knots.len());
     for link in links {
         groups.join(link.knots[0], link.knots[1]);

@@ -4,7 +4,9 @@ use alloc::vec::Vec;
 
 use crate::collision::FeatureId;
 use crate::collision::surface::feet::normal_of;
-use crate::geometry::{Feature, Intersection, Surface, intersection_triangle_triangle};
+use crate::geometry::{
+    Feature, Intersection, IntersectionPoint, Surface, intersection_triangle_triangle,
+};
 use crate::math::determinant::cross;
 use crate::math::wide::sub;
 use crate::math::{UnitVec3, Vec3};
@@ -33,6 +35,8 @@ pub(super) struct Contour {
     /// Sorted by features.
     pub(super) knots: Vec<Knot>,
     pub(super) links: Vec<Link>,
+    /// Whether faces meet elsewhere than where an edge of one pierces the inside of another.
+    pub(super) is_degenerate: bool,
 }
 
 impl Contour {
@@ -40,10 +44,13 @@ impl Contour {
     /// one plane, add no line.
     pub(super) fn new<A: Surface, B: Surface>(a: &A, b: &B, pairs: &[[u32; 2]]) -> Self {
         let mut ends: Vec<([Knot; 2], [u32; 2])> = Vec::new();
+        let mut is_degenerate = false;
         for &faces in pairs {
             let triangles = (a.triangle(faces[0]), b.triangle(faces[1]));
             let found = intersection_triangle_triangle(&triangles.0, &triangles.1);
-            let Some([from, to]) = found.as_ref().map(Intersection::points) else { continue };
+            let points = found.as_ref().map_or(&[][..], Intersection::points);
+            is_degenerate |= !points.iter().all(is_piercing);
+            let [from, to] = points else { continue };
             let knots = [from, to].map(|point| {
                 let features = [name(a, faces[0], point.on_a), name(b, faces[1], point.on_b)];
                 Knot { features, position: point.position, faces }
@@ -54,7 +61,7 @@ impl Contour {
         let mut knots: Vec<_> = ends.iter().flat_map(|(ends, _)| *ends).collect();
         knots.sort_unstable();
         knots.dedup_by_key(|knot| knot.features);
-        let mut contour = Self { knots, links: Vec::new() };
+        let mut contour = Self { knots, links: Vec::new(), is_degenerate };
         let link = |(ends, faces): &([Knot; 2], _)| {
             let knots = ends.each_ref().map(|knot| contour.place(knot));
             Link { knots, faces: *faces }
@@ -76,6 +83,14 @@ impl Contour {
             link.knots.map(|knot| sub(self.knots[knot as usize].position.raw(), origin.raw()));
         cross(from, to)
     }
+}
+
+/// Whether an edge goes through the inside of a face there.
+const fn is_piercing(point: &IntersectionPoint) -> bool {
+    matches!(
+        (point.on_a, point.on_b),
+        (Feature::Edge(_), Feature::Face) | (Feature::Face, Feature::Edge(_))
+    )
 }
 
 /// The feature of a surface that a feature of one of its faces is.

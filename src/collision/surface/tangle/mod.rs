@@ -8,12 +8,15 @@
 //! of the line and of the vertices inside.
 //!
 //! What has no inside may have it on either side: of both, the side from which the way is shorter.
+//!
+//! Where an edge meets an edge or a vertex, what goes in and what comes out cannot be told apart.
+//! Then one surface is looked at a few micrometres beside where it is.
 
 mod component;
 mod contour;
 mod groups;
 mod inside;
-mod turned;
+mod view;
 mod way;
 mod wholes;
 
@@ -23,17 +26,20 @@ use alloc::vec::Vec;
 use super::DEPTH_MAX;
 use super::proximity::Proximity;
 use crate::collision::{Contact, FeatureId, FeatureKind};
-use crate::geometry::Surface;
-use crate::math::{Real, UnitVec3};
+use crate::geometry::{Aabb, Surface, is_in_range};
+use crate::math::{Real, UnitVec3, Vec3};
 
 use component::{Component, components};
 use contour::Contour;
 use groups::Groups;
-use turned::Turned;
+use view::View;
 use way::{Way, way_out};
 use wholes::Wholes;
 
 pub(super) use way::beyond;
+
+/// Raw: up to 10 micrometres.
+const SHIFT: [i64; 3] = [3, 23, 167];
 
 /// Parts in which two surfaces have gone through one another: for each a normal and contacts, and
 /// the vertices and edges of both that lie in any, whose proximities mislead.
@@ -53,7 +59,12 @@ impl Tangle {
         proximities: &[Proximity],
     ) -> Self {
         let mut tangle = Self::default();
-        let contour = Contour::new(a, b, pairs);
+        let (a, mut b) = (View::new(a), View::new(b));
+        let mut contour = Contour::new(&a, &b, pairs);
+        if contour.is_degenerate {
+            b.shift = shift(&a.bounds(), &b.bounds());
+            contour = Contour::new(&a, &b, pairs);
+        }
         for (component, way) in parts(a, b, &contour) {
             let own = component.features();
             let told = |p: &Proximity| p.contact.separation <= Real::ZERO && holds(&own, p);
@@ -72,11 +83,28 @@ impl Tangle {
     }
 }
 
+/// How far B is looked at beside where it is: the opposite if the surfaces are exchanged. Nothing,
+/// where that is out of range.
+///
+/// It is within no plane whose normal is three whole numbers up to 3: those in which the surfaces
+/// of what stands on a grid lie.
+fn shift(a: &Aabb, b: &Aabb) -> Vec3 {
+    let corners = |bounds: &Aabb| [bounds.min(), bounds.max()];
+    let sign = if corners(a) < corners(b) { 1 } else { -1 };
+    let shift = Vec3::from_raw(SHIFT.map(|c| sign * c));
+    let is_possible = corners(b).into_iter().all(|corner| is_in_range(corner + shift));
+    if is_possible { shift } else { Vec3::ZERO }
+}
+
 /// The components of a contour, and their ways out.
 ///
 /// Where a surface has no inside, what belongs together depends on which side is taken for it.
 /// Where components that differ share lines, those are taken whose deepest is least.
-fn parts<A: Surface, B: Surface>(a: &A, b: &B, contour: &Contour) -> Vec<(Component, Way)> {
+fn parts<A: Surface, B: Surface>(
+    a: View<A>,
+    b: View<B>,
+    contour: &Contour,
+) -> Vec<(Component, Way)> {
     let mut groups = Groups::new(contour.knots.len());
     let mut found = Vec::new();
     let (mut wholes_a, mut wholes_b) = (Wholes::new(a), Wholes::new(b));
@@ -85,8 +113,7 @@ fn parts<A: Surface, B: Surface>(a: &A, b: &B, contour: &Contour) -> Vec<(Compon
         if contour.links.is_empty() || turn_a && !a.is_two_sided() || turn_b && !b.is_two_sided() {
             continue;
         }
-        let a = Turned { surface: a, is_turned: turn_a };
-        let b = Turned { surface: b, is_turned: turn_b };
+        let (a, b) = (View { is_turned: turn_a, ..a }, View { is_turned: turn_b, ..b });
         for component in components(&a, &b, contour) {
             let way = way_out((&a, &b), &component, (&mut wholes_a, &mut wholes_b));
             let knots = component.knots.iter().map(|knot| contour.place(knot));

@@ -4,8 +4,9 @@ use alloc::vec::Vec;
 use core::cmp::Reverse;
 
 use super::component::Component;
-use super::turned::Turned;
+use super::view::View;
 use super::wholes::Wholes;
+use crate::collision::surface::DEPTH_MAX;
 use crate::collision::surface::feet::normal_of;
 use crate::collision::surface::manifolds::grown;
 use crate::collision::surface::proximity::scaled;
@@ -54,16 +55,23 @@ fn rank(normal: UnitVec3) -> UnitVec3 {
 /// area of the contour, or along the normal of a face that the contour goes through. Of equal ones
 /// the nearest to the area.
 ///
+/// What is shallow along the area is not searched for others: it is what rests on something, as a
+/// rule, and there is nothing to gain.
+///
 /// If none frees any, it is the shortest that parts all that hangs together with the component:
 /// along the area, such a normal, or an axis. That may be farther than needed: if it is more than
 /// twice as far as the component reaches along the area, it is along the area, which frees a part
 /// at least.
 pub(super) fn way_out<A: Surface, B: Surface>(
-    (a, b): (&Turned<A>, &Turned<B>),
+    (a, b): (&View<A>, &View<B>),
     component: &Component,
     wholes: (&mut Wholes<A>, &mut Wholes<B>),
 ) -> Way {
     let area = component.normal();
+    let along_area = area.map(|area| component.way(area));
+    if let Some(way) = along_area.filter(|way| way.depth <= DEPTH_MAX) {
+        return way;
+    }
     let along = |normal: &UnitVec3| area.map_or(0, |area| dot_wide(area.raw(), normal.raw()));
     let mut normals = Vec::new();
     for (k, faces) in component.rims.iter().enumerate() {
@@ -77,7 +85,8 @@ pub(super) fn way_out<A: Surface, B: Surface>(
         normals.extend(own);
     }
     let aligned = normals.iter().copied().filter(|normal| area.is_none() || along(normal) > 0);
-    let mut ways: Vec<_> = area.into_iter().chain(aligned).map(|n| component.way(n)).collect();
+    let aligned = aligned.map(|normal| component.way(normal));
+    let mut ways: Vec<_> = along_area.into_iter().chain(aligned).collect();
     ways.sort_by_key(|way| (way.depth, Reverse(along(&way.normal)), rank(way.normal)));
     let bounds = component.bounds();
     let (mut of_a, mut of_b) = (Vec::new(), Vec::new());
@@ -94,7 +103,6 @@ pub(super) fn way_out<A: Surface, B: Surface>(
     }
     normals.extend(area);
     let apart = apart(wholes, component, &normals);
-    let along_area = area.map(|area| component.way(area));
     // Below 2^62.
     let is_near = |way: &Way| way.depth.raw() < apart.depth.raw() / 2;
     along_area.filter(is_near).unwrap_or(apart)

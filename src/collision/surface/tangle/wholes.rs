@@ -2,6 +2,7 @@
 
 use alloc::vec::Vec;
 
+use super::view::View;
 use super::way::reach;
 use crate::collision::surface::shell::Shell;
 use crate::geometry::Surface;
@@ -9,7 +10,7 @@ use crate::math::{UnitVec3, Vec3};
 
 /// The shells of a surface that have been asked for, each found once.
 pub(super) struct Wholes<'a, S> {
-    surface: &'a S,
+    surface: View<'a, S>,
     found: Vec<Whole>,
     /// The number of each face's shell, [`UNKNOWN`] before it is found.
     numbers: Vec<u32>,
@@ -25,7 +26,7 @@ struct Whole {
 const UNKNOWN: u32 = u32::MAX;
 
 impl<'a, S: Surface> Wholes<'a, S> {
-    pub(super) const fn new(surface: &'a S) -> Self {
+    pub(super) const fn new(surface: View<'a, S>) -> Self {
         Self { surface, found: Vec::new(), numbers: Vec::new() }
     }
 
@@ -43,7 +44,7 @@ impl<'a, S: Surface> Wholes<'a, S> {
         if known != UNKNOWN {
             return known;
         }
-        let shell = Shell::of(self.surface, &[face]);
+        let shell = Shell::of(&self.surface, &[face]);
         let number = self.found.len() as u32; // at most one for each of fewer than 2^32 faces
         let highest = shell.faces.iter().copied().max().unwrap_or(face) as usize;
         self.numbers.resize(self.numbers.len().max(highest + 1), UNKNOWN);

@@ -1,4 +1,4 @@
-//! Surfaces seen from behind.
+//! Surfaces seen from behind, or a little beside where they are.
 
 use alloc::vec::Vec;
 
@@ -6,19 +6,36 @@ use crate::geometry::{Aabb, Surface};
 use crate::math::Vec3;
 
 /// A surface, or the same one with its inside out: what has no inside may have it on either side.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Turned<'a, S> {
+#[derive(Debug)]
+pub(super) struct View<'a, S> {
     pub(super) surface: &'a S,
     pub(super) is_turned: bool,
+    /// What is added to its places.
+    pub(super) shift: Vec3,
 }
 
-impl<S: Surface> Surface for Turned<'_, S> {
+impl<S> Clone for View<'_, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S> Copy for View<'_, S> {}
+
+impl<'a, S> View<'a, S> {
+    /// As it is.
+    pub(super) const fn new(surface: &'a S) -> Self {
+        Self { surface, is_turned: false, shift: Vec3::ZERO }
+    }
+}
+
+impl<S: Surface> Surface for View<'_, S> {
     fn bounds(&self) -> Aabb {
-        self.surface.bounds()
+        moved(&self.surface.bounds(), self.shift)
     }
 
     fn faces_near(&self, bounds: &Aabb, faces: &mut Vec<u32>) {
-        self.surface.faces_near(bounds, faces);
+        self.surface.faces_near(&moved(bounds, -self.shift), faces);
     }
 
     #[inline]
@@ -40,7 +57,7 @@ impl<S: Surface> Surface for Turned<'_, S> {
 
     #[inline]
     fn position(&self, vertex: u32) -> Vec3 {
-        self.surface.position(vertex)
+        self.surface.position(vertex) + self.shift
     }
 
     #[inline]
@@ -60,4 +77,8 @@ impl<S: Surface> Surface for Turned<'_, S> {
     fn is_closed(&self) -> bool {
         self.surface.is_closed()
     }
+}
+
+fn moved(bounds: &Aabb, way: Vec3) -> Aabb {
+    Aabb::new(bounds.min() + way, bounds.max() + way)
 }
