@@ -172,6 +172,8 @@ fn what_stands_on_a_grid_parts() {
                     found.sort_by_key(Manifold::separation);
                     assert!(found[1..].iter().all(|touch| metres(touch.separation()) > -1e-5));
                     assert_way(&found[..1], [0.0, up, 0.0], depth);
+                    // Exactly, though they were looked at elsewhere.
+                    assert!((metres(found[0].separation()) + depth).abs() < 1e-7);
                 }
             }
             // Half on it: as deep as beside.
@@ -183,6 +185,33 @@ fn what_stands_on_a_grid_parts() {
             let depths = [0.0, 2e-5].map(deepest);
             assert!((depths[0] - depths[1]).abs() < 1e-4, "{cells}: {depths:?}");
             assert!((depths[0] + 0.25).abs() < 1e-4, "{cells}: {depths:?}");
+        }
+    }
+}
+
+/// What is pressed into a corner of a room is led out of it, not along it.
+#[test]
+fn corners_are_left_as_soon_as_they_are_free() {
+    let at = |x: f64, y: f64| (0..5).map(move |k| [x, y, 2.0 * f64::from(k)]);
+    let vertices: Vec<_> = at(0.0, 9.0).chain(at(0.0, 0.0)).chain(at(9.0, 0.0)).collect();
+    let side = |k: u32| [[k, k + 1, k + 5], [k + 5, k + 1, k + 6]];
+    let faces: Vec<_> = (0..4).chain(5..9).flat_map(side).collect();
+    let room = Shape::from(mesh(&vertices, &faces));
+    for body in [cuboid([0.0; 3], [1.0; 3]), cube().shape().into()] {
+        for depth in [0.0005, 0.005, 0.05] {
+            let way = [-depth, -depth, 3.3];
+            let body = match &body {
+                Shape::Cuboid(_) => cuboid(way, [1.0; 3]),
+                _ => moved(&cube(), way).into(),
+            };
+            let found = manifolds(&room, &body);
+            let deepest = found.iter().map(|m| metres(-m.separation())).fold(0.0, f64::max);
+            let far = depth * 2.0_f64.sqrt();
+            assert!((0.99 * depth..1.07 * far).contains(&deepest), "{depth}: {deepest}");
+            for manifold in &found {
+                let [x, y, z] = normal(manifold);
+                assert!(x > -1e-6 && y > -1e-6 && z.abs() < 1e-6, "{:?}", normal(manifold));
+            }
         }
     }
 }

@@ -29,6 +29,8 @@ pub(super) struct Component {
     largest: u128,
     /// How long its lines are.
     length: u128,
+    /// How far beside its place B was looked at.
+    shift: Vec3,
 }
 
 /// The components of an overlap, in the order of their lowest knots.
@@ -52,7 +54,7 @@ pub(super) fn components<A: Surface, B: Surface>(
         let root = groups.root(number);
         if root == number {
             places[root as usize] = components.len();
-            components.push(Component::default());
+            components.push(Component { shift: b.shift, ..Component::default() });
         }
         components[places[root as usize]].knots.push(*knot);
     }
@@ -75,7 +77,7 @@ pub(super) fn components<A: Surface, B: Surface>(
         components[place(number)].inside[0].push((vertex, a.position(vertex)));
     }
     for (vertex, number) in of_b {
-        components[place(number)].inside[1].push((vertex, b.position(vertex)));
+        components[place(number)].inside[1].push((vertex, b.surface.position(vertex)));
     }
     for rim in components.iter_mut().flat_map(|component| &mut component.rims) {
         rim.sort_unstable();
@@ -142,6 +144,11 @@ impl Component {
         if is_through { None } else { UnitVec3::normalize_wide(self.area) }
     }
 
+    /// Where a knot is on A, and where on B.
+    fn place(&self, k: usize, knot: &Knot) -> Vec3 {
+        if k == 0 { knot.position } else { knot.position - self.shift }
+    }
+
     /// Its vertices and edges, sorted.
     pub(super) fn features(&self) -> Vec<(u32, FeatureId)> {
         let knots = self.knots.iter().flat_map(|knot| (0..).zip(knot.features));
@@ -158,9 +165,9 @@ impl Component {
     /// inside B.
     pub(super) fn way(&self, normal: UnitVec3) -> Way {
         let ends = |k: usize| {
-            let vertices = self.inside[k].iter().map(|(_, position)| position);
-            let points = vertices.chain(self.knots.iter().map(|knot| &knot.position));
-            points.map(|&point| reach(normal, point, self.origin()))
+            let vertices = self.inside[k].iter().map(|&(_, position)| position);
+            let points = vertices.chain(self.knots.iter().map(move |knot| self.place(k, knot)));
+            points.map(|point| reach(normal, point, self.origin()))
         };
         let (highest, lowest) = (ends(0).max().unwrap_or(0), ends(1).min().unwrap_or(0));
         Way { normal, depth: length(highest - lowest), levels: Some([highest, lowest]) }
@@ -172,7 +179,7 @@ impl Component {
         let Some(first) = self.knots.first() else { return Vec::new() };
         let [of_a, of_b] = &self.inside;
         let knots = self.knots.iter().map(|knot| {
-            let sides = [0, 1].map(|k| self.contact(way, k, knot.features, knot.position));
+            let sides = [0, 1].map(|k| self.contact(way, k, knot.features, self.place(k, knot)));
             if sides[1].separation < sides[0].separation { sides[1] } else { sides[0] }
         });
         let vertices_a = of_a.iter().map(|&(vertex, position)| {

@@ -55,8 +55,8 @@ fn rank(normal: UnitVec3) -> UnitVec3 {
 /// area of the contour, or along the normal of a face that the contour goes through. Of equal ones
 /// the nearest to the area.
 ///
-/// What is shallow along the area is not searched for others: it is what rests on something, as a
-/// rule, and there is nothing to gain.
+/// Where that is no farther than [`DEPTH_MAX`] along the area, no other is looked for: as a rule
+/// something rests there, on a floor or in a corner.
 ///
 /// If none frees any, it is the shortest that parts all that hangs together with the component:
 /// along the area, such a normal, or an axis. That may be farther than needed: if it is more than
@@ -70,6 +70,20 @@ pub(super) fn way_out<A: Surface, B: Surface>(
     let area = component.normal();
     let along_area = area.map(|area| component.way(area));
     if let Some(way) = along_area.filter(|way| way.depth <= DEPTH_MAX) {
+        return way;
+    }
+    let bounds = component.bounds();
+    let (mut of_a, mut of_b) = (Vec::new(), Vec::new());
+    // What is farther away than a surface is moved does not belong to this part.
+    let mut frees = |way: &Way| {
+        let around = grown(&bounds, way.depth);
+        let out = beyond(way.normal, way.depth);
+        b.faces_near(&around, &mut of_b);
+        a.faces_near(&around, &mut of_a);
+        is_free((b, &of_b), out, a) || is_free((a, &of_a), out.map(|c| -c), b)
+    };
+    let sooner = along_area.map(|way| Way { depth: DEPTH_MAX, levels: None, ..way });
+    if let Some(way) = sooner.filter(&mut frees) {
         return way;
     }
     let along = |normal: &UnitVec3| area.map_or(0, |area| dot_wide(area.raw(), normal.raw()));
@@ -88,24 +102,34 @@ pub(super) fn way_out<A: Surface, B: Surface>(
     let aligned = aligned.map(|normal| component.way(normal));
     let mut ways: Vec<_> = along_area.into_iter().chain(aligned).collect();
     ways.sort_by_key(|way| (way.depth, Reverse(along(&way.normal)), rank(way.normal)));
-    let bounds = component.bounds();
-    let (mut of_a, mut of_b) = (Vec::new(), Vec::new());
-    // What is farther away than a surface is moved does not belong to this part.
-    let frees = |way: &&Way| {
-        let around = grown(&bounds, way.depth);
-        let out = beyond(way.normal, way.depth);
-        b.faces_near(&around, &mut of_b);
-        a.faces_near(&around, &mut of_a);
-        is_free((b, &of_b), out, a) || is_free((a, &of_a), out.map(|c| -c), b)
-    };
-    if let Some(way) = ways.iter().find(frees) {
-        return *way;
+    if let Some(way) = ways.into_iter().find(&mut frees) {
+        return shortened(way, frees);
     }
     normals.extend(area);
     let apart = apart(wholes, component, &normals);
     // Below 2^62.
     let is_near = |way: &Way| way.depth.raw() < apart.depth.raw() / 2;
     along_area.filter(is_near).unwrap_or(apart)
+}
+
+/// A way that frees, cut short where surfaces are hollow, as in a corner, and come apart sooner than
+/// as far as they reach: it is too long by a sixteenth at most.
+fn shortened(way: Way, mut frees: impl FnMut(&Way) -> bool) -> Way {
+    let shorter = |depth: i64| Way { depth: Real::from_raw(depth), levels: None, ..way };
+    let mut least = shorter(way.depth.raw() - way.depth.raw() / 16);
+    if !frees(&least) {
+        return way;
+    }
+    let mut short = 0;
+    while least.depth.raw() - short > least.depth.raw() / 16 {
+        let middle = shorter(short + (least.depth.raw() - short) / 2);
+        if frees(&middle) {
+            least = middle;
+        } else {
+            short = middle.depth.raw();
+        }
+    }
+    least
 }
 
 /// The shortest way that parts what hangs together with a component, and lessens it at once. O(1)
