@@ -260,19 +260,20 @@ fn what_is_inside_is_led_out() {
     let placed = solid.placed(&Place { axis: [1.0, 0.0, 0.0], angle: 0.0, way: low });
     let hull = ConvexHull::around(placed.iter().copied()).expect("solid");
     let triangle = Triangle::new([placed[0], placed[1], placed[2]]).expect("legal");
-    let depth = |points: &[Vec3]| points.iter().map(|&p| float(p)[2]).fold(0.0, f64::max);
-    let inners: [(Shape, f64); 5] = [
-        (moved(&solid, low).into(), 1.3),
-        (cuboid(low, [1.0; 3]), 1.3),
-        (hull.into(), 1.3),
-        (moved(&solid, low).two_sided().into(), 1.3),
-        (triangle.into(), depth(triangle.corners())),
+    assert!(triangle.corners().iter().all(|corner| corner.x == placed[0].x), "upright");
+    let (along_x, along_z) = ([-1.0, 0.0, 0.0], [0.0, 0.0, -1.0]);
+    let inners: [(Shape, [f64; 3], f64); 5] = [
+        (moved(&solid, low).into(), along_z, 1.3),
+        (cuboid(low, [1.0; 3]), along_z, 1.3),
+        (hull.into(), along_z, 1.3),
+        (moved(&solid, low).two_sided().into(), along_z, 1.3),
+        (triangle.into(), along_x, 1.2),
     ];
     for outer in &outers {
-        for (inner, depth) in &inners {
+        for (inner, way, depth) in &inners {
             let is_mesh = |shape: &Shape| matches!(shape, Shape::MeshShape(_));
             if is_mesh(outer) || is_mesh(inner) {
-                assert_way(&manifolds(outer, inner), [0.0, 0.0, -1.0], *depth);
+                assert_way(&manifolds(outer, inner), *way, *depth);
             }
         }
     }

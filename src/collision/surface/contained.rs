@@ -1,96 +1,123 @@
 //! Surfaces that are inside of others as a whole.
 
+use alloc::vec;
 use alloc::vec::Vec;
 
-use super::DEPTH_MAX;
 use super::contains::is_within;
-use super::feet::Foot;
-use super::proximity::{along, scaled};
+use super::exit::Exit;
+use super::proximity::scaled;
 use super::shell::{Shell, is_free};
 use super::tangle::beyond;
 use crate::collision::{Contact, FeatureId};
 use crate::geometry::{Aabb, Surface};
-use crate::math::wide::{add, sub};
-use crate::math::{UnitVec3, Vec3};
+use crate::math::wide::add;
+use crate::math::{Real, UnitVec3, Vec3};
 
-/// The normal and the contacts of two surfaces of which one is inside the other as a whole: what
-/// hangs together with its first face is. They must not intersect.
+/// The normal and the contacts of each shell of two surfaces that is inside the other surface as a
+/// whole; a shell is what hangs together. The surfaces must not intersect.
 ///
-/// O(1) unless the box around one is inside that around the other: O(n) for n faces then, and if
-/// one is inside, O(n log n).
-pub(super) fn contained<A: Surface, B: Surface>(a: &A, b: &B) -> Option<(UnitVec3, Vec<Contact>)> {
-    if let Some(found) = within(a, b) {
-        return Some(found);
+/// O(k log k) for k faces of one within the box around the other, which is closed and one-sided;
+/// for each shell that is inside also O(n log n) for n faces, and as much again for each place that
+/// is tried.
+pub(super) fn contained<A: Surface, B: Surface>(a: &A, b: &B) -> Vec<(UnitVec3, Vec<Contact>)> {
+    let mut parts = within(b, a);
+    for (normal, contacts) in &mut parts {
+        *normal = -*normal;
+        for Contact { features, on_a, on_b, .. } in contacts {
+            features.swap(0, 1);
+            core::mem::swap(on_a, on_b);
+        }
     }
-    let (normal, mut contacts) = within(b, a)?;
-    for Contact { features, on_a, on_b, .. } in &mut contacts {
-        features.swap(0, 1);
-        core::mem::swap(on_a, on_b);
-    }
-    Some((-normal, contacts))
+    parts.extend(within(a, b));
+    parts
 }
 
-/// Where the outer surface is left, and how far.
-struct Exit {
-    /// Outward.
-    normal: UnitVec3,
-    /// A feature of the outer surface, and a point before which all of it is, as far as is known.
-    feature: FeatureId,
-    point: Vec3,
-}
-
-/// The same if it is the second that is inside.
-fn within<A: Surface, B: Surface>(outer: &A, inner: &B) -> Option<(UnitVec3, Vec<Contact>)> {
+/// The same of the second only.
+fn within<A: Surface, B: Surface>(outer: &A, inner: &B) -> Vec<(UnitVec3, Vec<Contact>)> {
     let is_solid = outer.is_closed() && !outer.is_two_sided();
-    if !is_solid || !outer.bounds().contains(&inner.bounds()) {
-        return None;
+    if !is_solid || !outer.bounds().overlaps(&inner.bounds()) {
+        return Vec::new();
     }
-    let mut faces = Vec::new();
-    inner.faces_near(&inner.bounds(), &mut faces);
-    let first = faces.into_iter().min()?;
-    let start = inner.position(inner.corners(first)[0]);
+    let shells = shells_in(inner, &outer.bounds()).into_iter();
+    shells.filter_map(|face| part(outer, inner, face)).collect()
+}
+
+/// The lowest face of each shell of which all vertices are in a box.
+fn shells_in<S: Surface>(surface: &S, bounds: &Aabb) -> Vec<u32> {
+    let (mut faces, mut open, mut shells) = (Vec::new(), Vec::new(), Vec::new());
+    surface.faces_near(bounds, &mut faces);
+    let mut is_seen = vec![false; faces.len()];
+    for first in 0..faces.len() {
+        if is_seen[first] {
+            continue;
+        }
+        is_seen[first] = true;
+        open.push(first);
+        let mut is_in = true;
+        while let Some(place) = open.pop() {
+            for vertex in surface.corners(faces[place]) {
+                // Each part of a shell that is not in the box has such a vertex of its own.
+                if !bounds.overlaps(&Aabb::of_point(surface.position(vertex))) {
+                    is_in = false;
+                    continue;
+                }
+                for face in surface.faces_at_vertex(vertex) {
+                    let Ok(next) = faces.binary_search(&face) else { continue };
+                    if !core::mem::replace(&mut is_seen[next], true) {
+                        open.push(next);
+                    }
+                }
+            }
+        }
+        if is_in {
+            shells.push(faces[first]);
+        }
+    }
+    shells
+}
+
+/// The same of the shell that holds a face.
+fn part<A: Surface, B: Surface>(
+    outer: &A,
+    inner: &B,
+    face: u32,
+) -> Option<(UnitVec3, Vec<Contact>)> {
+    let start = inner.position(inner.corners(face)[0]);
     if !is_within(outer, start) {
         return None;
     }
-    let shell = Shell::of(inner, &[first]);
+    let shell = Shell::of(inner, &[face]);
     let exit = exit(outer, inner, &shell, start)?;
-    let height = |point: Vec3| along(exit.normal, sub(point.raw(), exit.point.raw()));
-    let deepest = shell.vertices.iter().map(|&(_, point)| height(point)).min()?;
+    let deepest = deepest(&exit, &shell);
     let contacts = shell.vertices.iter().filter_map(|&(vertex, point)| {
-        let separation = height(point);
-        let on_a = point - Vec3::from_raw(scaled(exit.normal, separation));
+        let separation = -exit.depth(point);
+        let on_a = point - Vec3::from_raw(scaled(exit.outward, separation));
         let features = [exit.feature, FeatureId::vertex(vertex)];
         // Shallow ones would only let it tip.
-        let is_deep = separation.raw() <= deepest.raw() / 2;
+        let is_deep = -separation.raw() >= deepest.raw() / 2;
         is_deep.then_some(Contact { features, on_a, on_b: point, separation })
     });
-    Some((exit.normal, contacts.collect()))
+    Some((exit.outward, contacts.collect()))
 }
 
-/// The way through the place that is nearest to the middle of what is inside, or to where it
-/// starts if the middle is outside. If that leads into something else, the shortest way out of the
-/// box around the outer surface.
+/// The shortest way through a place that is near the middle of what is inside, or where it starts
+/// if the middle is outside; of those that leave it free.
 fn exit<A: Surface, B: Surface>(outer: &A, inner: &B, shell: &Shell, start: Vec3) -> Option<Exit> {
-    let inside = Aabb::around(shell.vertices.iter().map(|&(_, point)| point))?;
-    let [low, high] = [inside.min().raw(), inside.max().raw()];
+    let body = Aabb::around(shell.vertices.iter().map(|&(_, point)| point))?;
+    let [low, high] = [body.min().raw(), body.max().raw()];
     // Coordinates are below 2^61.
     let middle = Vec3::from_raw([0, 1, 2].map(|k| low[k] + (high[k] - low[k]) / 2));
     let middle = if is_within(outer, middle) { middle } else { start };
-    let foot = Foot::of_inside(outer, middle, DEPTH_MAX)?;
-    let exit = Exit { normal: -foot.normal, feature: foot.feature, point: foot.position };
-    let height = |&(_, point): &(u32, Vec3)| along(exit.normal, sub(point.raw(), exit.point.raw()));
-    let out = beyond(exit.normal, -shell.vertices.iter().map(height).min()?);
-    if is_free((inner, &shell.faces), out, outer)
-        && !is_within(outer, Vec3::from_raw(add(start.raw(), out)))
-    {
-        return Some(exit);
-    }
-    let bounds = outer.bounds();
-    let axes = [UnitVec3::X, UnitVec3::Y, UnitVec3::Z];
-    let ways = (0..3).flat_map(|k| {
-        let depths = [bounds.max().raw()[k] - low[k], high[k] - bounds.min().raw()[k]];
-        [(depths[0], axes[k], bounds.max()), (depths[1], -axes[k], bounds.min())]
-    });
-    let (_, normal, point) = ways.min_by_key(|&(depth, ..)| depth)?;
-    Some(Exit { normal, point, ..exit })
+    let depth = |exit: &Exit| deepest(exit, shell);
+    Exit::of_inside(outer, middle, &body, depth, |exit| {
+        let out = beyond(exit.outward, depth(exit));
+        is_free((inner, &shell.faces), out, outer)
+            && !is_within(outer, Vec3::from_raw(add(start.raw(), out)))
+    })
+}
+
+/// How deep the deepest vertex is behind a plane; a shell has some.
+fn deepest(exit: &Exit, shell: &Shell) -> Real {
+    let depths = shell.vertices.iter().map(|&(_, point)| exit.depth(point));
+    depths.max().unwrap_or(Real::ZERO)
 }

@@ -2,8 +2,6 @@
 
 use alloc::vec::Vec;
 
-use super::REACH_MAX;
-use super::manifolds::grown;
 use super::near::Near;
 use super::side::{Side, side};
 use crate::collision::{FeatureId, FeatureKind};
@@ -37,24 +35,6 @@ struct Candidate {
 /// Distances are to rounded places: those of two that are equally far differ by no more than this.
 const ROUNDED: Real = Real::from_raw(2);
 
-impl Foot {
-    /// Where a surface is nearest to a point that is inside of it, but no farther than
-    /// [`REACH_MAX`]; looked for from some reach on.
-    pub(super) fn of_inside<S: Surface>(surface: &S, point: Vec3, reach: Real) -> Option<Self> {
-        let (mut feet, mut names) = (Feet::default(), Vec::new());
-        let mut reach = reach.min(REACH_MAX);
-        loop {
-            surface.faces_near(&grown(&Aabb::of_point(point), reach), &mut names);
-            let faces: Vec<_> = names.iter().map(|&face| Near::of(surface, face)).collect();
-            let foot = feet.of(surface, point, faces.iter(), reach).first().copied();
-            if foot.is_some() || reach == REACH_MAX {
-                return foot.filter(|foot| foot.separation < Real::ZERO);
-            }
-            reach = (reach + reach).min(REACH_MAX);
-        }
-    }
-}
-
 /// Lists that are used again.
 #[derive(Debug, Default)]
 pub(super) struct Feet {
@@ -80,23 +60,12 @@ impl Feet {
     ) -> &[Foot] {
         self.found.clear();
         self.gather(surface, point, faces, reach);
-        self.candidates.sort_unstable_by_key(|c| c.feature);
-        let groups = || {
-            let same = self.candidates.chunk_by(|a, b| a.feature == b.feature);
-            same.map(|same| (same[0], same.len() == faces_at(surface, same[0].feature)))
-        };
-        let rank = |c: &Candidate| (c.distance, c.feature);
-        let Some((nearest, _)) = groups().min_by_key(|(c, _)| rank(c)) else { return &self.found };
-        let whole = groups().filter(|(_, is_whole)| *is_whole).map(|(c, _)| c).min_by_key(rank);
-        let nearest = match whole {
-            Some(whole) if whole.distance <= nearest.distance + ROUNDED => whole,
-            _ => nearest,
-        };
+        let Some(nearest) = self.nearest(surface) else { return &self.found };
         if side(surface, point, nearest.feature) == Side::Inside {
             self.found.push(nearest.foot(surface, point, Side::Inside));
             return &self.found;
         }
-        for (candidate, is_whole) in groups() {
+        for (candidate, is_whole) in groups(&self.candidates, surface) {
             let is_foot = is_whole || candidate.feature == nearest.feature;
             if is_foot && side(surface, point, candidate.feature) == Side::Outside {
                 self.found.push(candidate.foot(surface, point, Side::Outside));
@@ -105,6 +74,42 @@ impl Feet {
         &self.found
     }
 
+    /// The places within `reach` of a point behind which it is, from near to far, however many
+    /// others are nearer; of equally near ones the lower feature first. `faces` are as for
+    /// [`of`](Self::of).
+    pub(super) fn of_inside<'a, S: Surface>(
+        &mut self,
+        surface: &S,
+        point: Vec3,
+        faces: impl Iterator<Item = &'a Near>,
+        reach: Real,
+    ) -> &[Foot] {
+        self.found.clear();
+        self.gather(surface, point, faces, reach);
+        let Some(nearest) = self.nearest(surface) else { return &self.found };
+        for (candidate, is_whole) in groups(&self.candidates, surface) {
+            let is_foot = is_whole || candidate.feature == nearest.feature;
+            if is_foot && side(surface, point, candidate.feature) == Side::Inside {
+                self.found.push(candidate.foot(surface, point, Side::Inside));
+            }
+        }
+        self.found.sort_unstable_by_key(|foot| (-foot.separation, foot.feature));
+        &self.found
+    }
+
+    /// The nearest place of all, but of those that are as near one that is whole.
+    fn nearest<S: Surface>(&self, surface: &S) -> Option<Candidate> {
+        let groups = || groups(&self.candidates, surface);
+        let rank = |c: &Candidate| (c.distance, c.feature);
+        let (nearest, _) = groups().min_by_key(|(c, _)| rank(c))?;
+        let whole = groups().filter(|(_, is_whole)| *is_whole).map(|(c, _)| c).min_by_key(rank);
+        Some(match whole {
+            Some(whole) if whole.distance <= nearest.distance + ROUNDED => whole,
+            _ => nearest,
+        })
+    }
+
+    /// The candidates, sorted by feature.
     fn gather<'a, S: Surface>(
         &mut self,
         surface: &S,
@@ -129,6 +134,7 @@ impl Feet {
             let triangle = near.triangle;
             self.candidates.push(Candidate { feature, distance, position, triangle, on });
         }
+        self.candidates.sort_unstable_by_key(|c| c.feature);
     }
 }
 
@@ -144,6 +150,12 @@ impl Candidate {
         let separation = if is_inside { -distance } else { distance };
         Foot { feature, position, separation, normal }
     }
+}
+
+/// One candidate of each feature, and whether it is whole: the nearest place of every face there.
+fn groups<S: Surface>(all: &[Candidate], surface: &S) -> impl Iterator<Item = (Candidate, bool)> {
+    let same = all.chunk_by(|a, b| a.feature == b.feature);
+    same.map(|same| (same[0], same.len() == faces_at(surface, same[0].feature)))
 }
 
 /// How many faces there are at a feature.

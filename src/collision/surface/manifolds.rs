@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use super::contained::contained;
+use super::exit::is_against;
 use super::pair::NearSurfaces;
 use super::proximity::{Proximity, along, manifolds, scaled};
 use super::round::{manifolds_capsule_surface, manifolds_sphere_surface};
@@ -26,9 +27,11 @@ use crate::math::{Real, Vec3};
 /// through the other, it is the shortest way that parts them as wholes, if that is farther than
 /// needed too. O(k log k) for k faces near one another, and all vertices inside.
 ///
-/// If they do not touch, but one is inside the other, which is closed and one-sided, it is pushed
-/// out through the nearest place, as a whole: what hangs together with its first face is looked at.
-/// That is O(n log n) for all n faces.
+/// If they do not touch, each shell of one, which is what hangs together, that is inside the other,
+/// which is closed and one-sided, is pushed out as a whole: through the nearest place that leaves
+/// it free, or out of the box around the other. That is O(k log k) for k faces of one within the
+/// box around the other, and for each shell inside O(n log n) for all n faces and each place that
+/// is tried, 16 at most.
 pub fn manifolds_mesh_mesh(a: &MeshShape, b: &MeshShape, margin: Real, out: &mut Vec<Manifold>) {
     let mut pairs = Vec::new();
     a.tree().near_pairs(b.tree(), reach(margin), &mut pairs);
@@ -152,7 +155,10 @@ fn of_pairs<A: Surface, B: Surface>(
     }
     let is_apart = |proximity: &Proximity| proximity.contact.separation > Real::ZERO;
     if parts.is_empty() && found.iter().all(is_apart) {
-        parts.extend(contained(a, b));
+        parts = contained(a, b);
+        // What leads it deeper is no contact before it is out.
+        let leads = |one: &Proximity| !parts.iter().any(|part| is_against(one.normal, part.0));
+        found.retain(leads);
     }
     for proximity in &mut found {
         let [feature, _] = &mut proximity.contact.features;

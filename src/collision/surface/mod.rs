@@ -8,6 +8,7 @@
 mod contained;
 mod contains;
 mod escape;
+mod exit;
 mod features;
 mod feet;
 mod manifolds;

@@ -7,6 +7,7 @@ use super::manifolds::grown;
 use super::near::{Near, is_near};
 use super::proximity::{Proximity, along, manifolds, scaled};
 use super::ridges::{Ridge, crossing};
+use super::side::{Side, side};
 use crate::collision::margin::counted;
 use crate::collision::{Contact, FeatureId, Manifold};
 use crate::geometry::{
@@ -17,11 +18,14 @@ use crate::math::{Real, UnitVec3, Vec3};
 
 /// Adds the manifolds of a sphere and a surface that are nearer than `margin`.
 ///
-/// A center that is inside a one-sided surface is pushed out the nearest way: whatever its depth if
-/// the surface [is closed](Surface::is_closed), else if that is no longer than radius and margin.
+/// A center that is inside a one-sided surface is pushed out the nearest way, if that is no longer
+/// than radius and margin. Of a surface that [is closed](Surface::is_closed) it is pushed out from
+/// whatever depth: the nearest way that ends outside, or, if 16 do not, out of the box around the
+/// surface; nothing is farther away than 65,536 m.
+///
 /// The margin counts as in [`collide`](crate::collision::collide). O(k log k) for k faces near the
-/// sphere; where it touches none, and its center is within the bounds of a closed surface, also
-/// O(log n) and a little for each face that a ray meets.
+/// sphere; where its center is within the bounds of a closed surface, also O(log n) and a little
+/// for each face that a ray meets; and if it is inside, O(m log m) for m faces within its depth.
 pub fn manifolds_sphere_surface<S: Surface>(
     sphere: &Sphere,
     surface: &S,
@@ -46,13 +50,15 @@ pub fn manifolds_sphere_surface<S: Surface>(
 ///
 /// Deeper, and where the segment between the ends goes through faces, one contact leads the whole
 /// capsule to the front of a plane: of a face that it goes through or, in a surface that
-/// [is closed](Surface::is_closed), at the nearest place to an end inside; of several, where that
-/// is nearest, and of a two-sided face to the nearer side. That contact's point of the surface is
-/// on this plane, maybe beyond the face.
+/// [is closed](Surface::is_closed), at a place near to an end inside; of several, where that is
+/// nearest, and of a two-sided face to the nearer side. That contact's point of the surface is
+/// on this plane, maybe beyond the face. Of a closed surface the segment is outside then, and meets
+/// no face: if 16 places do not lead there, it is led out of the box around the surface.
 ///
 /// The margin counts as in [`collide`](crate::collision::collide). O(k log k) for k faces near the
-/// capsule; where it touches none, and an end is within the bounds of a closed surface, also
-/// O(log n) and a little for each face that a ray meets.
+/// capsule; where an end is within the bounds of a closed surface, also O(log n) and a little for
+/// each face that a ray meets; and if one is inside, or the segment goes through faces, O(m log m)
+/// for m faces within its depth.
 pub fn manifolds_capsule_surface<S: Surface>(
     capsule: &Capsule,
     surface: &S,
@@ -130,7 +136,7 @@ impl<'a, S: Surface> Round<'a, S> {
         }
     }
 
-    /// A vertex below the inside of the segment, if no face there is nearer.
+    /// A vertex below the inside of the segment, if no face there is nearer, and seen from outside.
     fn over(&self, vertex: u32, bounds: &Aabb) -> Option<Proximity> {
         let position = self.surface.position(vertex);
         if !is_near(&Aabb::of_point(position), bounds, self.reach) {
@@ -146,12 +152,13 @@ impl<'a, S: Surface> Round<'a, S> {
             self.surface.corners(face).map(|corner| self.surface.position(corner))
         });
         let falls = |end: Vec3| along(outward, sub(end.raw(), position.raw())) <= Real::ZERO;
-        if !neighbours.all(falls) {
+        let feature = FeatureId::vertex(vertex);
+        if !neighbours.all(falls) || side(self.surface, foot.position, feature) == Side::Inside {
             return None;
         }
         let normal = -outward;
         let contact = Contact {
-            features: [FeatureId::edge(0), FeatureId::vertex(vertex)],
+            features: [FeatureId::edge(0), feature],
             on_a: step(foot.position, normal, self.radius),
             on_b: position,
             separation: distance - self.radius,
