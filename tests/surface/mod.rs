@@ -4,5 +4,6 @@ mod overlaps;
 mod pairs;
 mod round;
 mod solids;
+mod swallowed;
 mod tangle;
 mod topology;

@@ -113,7 +113,7 @@ fn overlap_implies_a_manifold() {
 }
 
 /// The shape as far along the normal as the deepest manifold says, and a tenth of a millimetre.
-fn pushed(body: &Shape, manifolds: &[Manifold]) -> Option<Shape> {
+pub fn pushed(body: &Shape, manifolds: &[Manifold]) -> Option<Shape> {
     let deepest = manifolds.iter().min_by_key(|manifold| manifold.separation())?;
     let depth = real!("0.0001") - deepest.separation();
     let way = deepest.normal.raw().map(|c| -((c * depth.raw()) >> 30));
@@ -124,6 +124,9 @@ fn pushed(body: &Shape, manifolds: &[Manifold]) -> Option<Shape> {
         }
         Shape::Capsule(it) => {
             Capsule::new(it.ends().map(moved), it.radius()).expect("in range").into()
+        }
+        Shape::Cuboid(it) => {
+            Cuboid::new(moved(it.center()), it.half_edges()).expect("in range").into()
         }
         _ => return None,
     })

@@ -33,6 +33,68 @@ impl Solid {
         Self { vertices: vertices.collect(), faces: faces.collect() }
     }
 
+    /// A prism of 1 m about y, of which every other edge is 1 m from y and the others `inner`.
+    pub fn star(tips: u32, inner: f64) -> Self {
+        let n = 2 * tips;
+        let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+        for y in [-0.5, 0.5] {
+            vertices.extend((0..n).map(|k| {
+                let angle = TAU * f64::from(k) / f64::from(n);
+                let radius = if k % 2 == 0 { 1.0 } else { inner };
+                [radius * angle.cos(), y, radius * angle.sin()]
+            }));
+            vertices.push([0.0, y, 0.0]);
+        }
+        for k in 0..n {
+            let next = (k + 1) % n;
+            let [low, high] = [[k, next, n], [k, next, n].map(|vertex| vertex + n + 1)];
+            faces.extend([[low[2], low[0], low[1]], [high[2], high[1], high[0]]]);
+            faces.extend([[low[0], high[0], low[1]], [low[1], high[0], high[1]]]);
+        }
+        Self { vertices, faces }
+    }
+
+    /// A box with a corner that is the lowest along each axis, and the one that is the highest.
+    pub fn cuboid(low: [f64; 3], high: [f64; 3]) -> Self {
+        let mut solid = Self::cubes([1; 3], 1, |_| true);
+        for vertex in &mut solid.vertices {
+            *vertex = [0, 1, 2].map(|k| if vertex[k] > 0.5 { high[k] } else { low[k] });
+        }
+        solid
+    }
+
+    /// A cube of 20 m about 0, with a pit 0.4 m wide from its top down to 0.
+    pub fn pit() -> Self {
+        let square = |half: f64, y: f64| {
+            [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]
+                .map(|[x, z]| [half * x, y, half * z])
+        };
+        let squares = [square(10.0, -10.0), square(10.0, 10.0), square(0.2, 10.0), [[0.0; 3]; 4]];
+        let vertices = squares.concat().into_iter().take(13).collect();
+        let mut faces = vec![[0, 1, 2], [0, 2, 3]];
+        for k in 0..4 {
+            let next = (k + 1) % 4;
+            faces.extend([[k, 4 + k, next], [next, 4 + k, 4 + next]]);
+            faces.extend([[4 + k, 8 + k, 4 + next], [4 + next, 8 + k, 8 + next]]);
+            faces.push([8 + k, 12, 8 + next]);
+        }
+        Self { vertices, faces }
+    }
+
+    /// Both together, as they are.
+    pub fn and(mut self, other: Self) -> Self {
+        let first = self.vertices.len() as u32;
+        self.vertices.extend(other.vertices);
+        self.faces.extend(other.faces.iter().map(|face| face.map(|vertex| first + vertex)));
+        self
+    }
+
+    /// Inside out.
+    pub fn turned(mut self) -> Self {
+        self.faces.iter_mut().for_each(|face| face.reverse());
+        self
+    }
+
     /// All unit cubes of which `is_full` says so, within 0..size, each side cut `cuts` times along
     /// both edges. Cubes must not touch along an edge or at a corner only.
     pub fn cubes(size: [i32; 3], cuts: i32, is_full: impl Fn([i32; 3]) -> bool) -> Self {
