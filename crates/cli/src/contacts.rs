@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use serde_json::{Value, json};
 use verlock::collision::{Contact, MARGIN_MAX, Manifold, MeshShape, manifolds_mesh_mesh};
-use verlock::geometry::{Aabb, Surface};
+use verlock::geometry::Surface;
 use verlock::math::UnitVec3;
 use verlock::world::{DrawSink, Shade};
 use verlock::{Real, Vec3};
@@ -13,7 +13,7 @@ use verlock::{Real, Vec3};
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::mesh::{feature_name, mesh};
+use crate::mesh::{check_pairs, feature_name, mesh};
 use crate::number::length;
 use crate::render::Still;
 
@@ -52,6 +52,9 @@ pub(crate) struct Contacts {
     force: bool,
 }
 
+/// No more pairs of faces are looked at.
+const PAIRS_MAX: usize = 10_000_000;
+
 impl Contacts {
     pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
         let target = self.still.target(self.force, &[&self.a, &self.b])?;
@@ -61,7 +64,7 @@ impl Contacts {
             Ok(if self.two_sided { shape.two_sided() } else { shape })
         };
         let shapes = [shape(&inputs[0])?, shape(&inputs[1])?];
-        check_margin(&shapes, self.margin)?;
+        check_pairs(&shapes, "--margin", self.margin.min(MARGIN_MAX), PAIRS_MAX)?;
         let mut manifolds = Vec::new();
         manifolds_mesh_mesh(&shapes[0], &shapes[1], self.margin, &mut manifolds);
         if let Some(target) = target {
@@ -83,25 +86,6 @@ impl Contacts {
         }
         Ok(Exit::Fine)
     }
-}
-
-/// Refuses a margin within which there are more pairs of faces than can be listed.
-fn check_margin([a, b]: &[MeshShape; 2], margin: Real) -> Result<(), Failure> {
-    const PAIRS_MAX: usize = 10_000_000;
-    let margin = margin.min(MARGIN_MAX);
-    let reach = Vec3::new(margin, margin, margin);
-    let (mut count, mut near) = (0, Vec::new());
-    for triangle in (0..).map(|face| a.triangle(face)).take(a.mesh().faces().len()) {
-        let bounds = triangle.bounds();
-        b.faces_near(&Aabb::new(bounds.min() - reach, bounds.max() + reach), &mut near);
-        count += near.len();
-        if count > PAIRS_MAX {
-            let what =
-                format!("--margin {margin}: more than {PAIRS_MAX} pairs of faces are as near");
-            return Err(Failure::usage(what));
-        }
-    }
-    Ok(())
 }
 
 fn direction(UnitVec3 { x, y, z }: UnitVec3) -> [String; 3] {

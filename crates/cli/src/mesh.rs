@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use verlock::collision::{FeatureId, FeatureKind};
-use verlock::geometry::TriangleMesh;
+use verlock::collision::{FeatureId, FeatureKind, MeshShape};
+use verlock::geometry::{Aabb, Surface, TriangleMesh};
+use verlock::{Real, Vec3};
 
 use crate::count::counted;
 use crate::failure::{Failure, tell};
@@ -18,6 +19,28 @@ pub(crate) fn mesh(input: &Input) -> Result<Arc<TriangleMesh>, Failure> {
         tell(format_args!("{}: {count} without an area, the first is {first}", input.name()));
     }
     Ok(Arc::new(mesh))
+}
+
+/// Refuses a length, the value of an option, within which more pairs of faces are near one another
+/// than can be looked at.
+pub(crate) fn check_pairs(
+    [a, b]: &[MeshShape; 2],
+    option: &str,
+    length: Real,
+    most: usize,
+) -> Result<(), Failure> {
+    let reach = Vec3::new(length, length, length);
+    let (mut count, mut near) = (0, Vec::new());
+    for triangle in (0..).map(|face| a.triangle(face)).take(a.mesh().faces().len()) {
+        let bounds = triangle.bounds();
+        b.faces_near(&Aabb::new(bounds.min() - reach, bounds.max() + reach), &mut near);
+        count += near.len();
+        if count > most {
+            let what = format!("{option} {length}: more than {most} pairs of faces are as near");
+            return Err(Failure::usage(what));
+        }
+    }
+    Ok(())
 }
 
 /// What a feature is called, as in `vertex 12`: counted from 0, edges in the order of their

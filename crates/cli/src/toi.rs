@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use serde_json::{Value, json};
 use verlock::collision::{MeshMotion, MeshShape, TimeOfImpact};
+use verlock::geometry::Sphere;
 use verlock::geometry::sweep::Sweep;
 use verlock::math::Unit;
 use verlock::{Real, Vec3};
@@ -13,7 +14,7 @@ use crate::count::counted;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::mesh::{feature_name, mesh};
+use crate::mesh::{check_pairs, feature_name, mesh};
 use crate::number::length;
 use crate::render::point;
 
@@ -38,8 +39,12 @@ pub(crate) struct Toi {
     #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true)]
     motion: Vec3,
 
-    /// Touch when they come so near, in metres
-    #[arg(long, value_name = "METRES", value_parser = length, default_value = "0")]
+    /// Touch when they come so near, in metres, up to 32768
+    ///
+    /// All pairs of faces within the gap up to the first contact are looked at, which takes long
+    /// where it is as wide as many faces. Refused if at the start there are more than 100,000, and
+    /// more than 32 for each face.
+    #[arg(long, value_name = "METRES", value_parser = gap, default_value = "0")]
     gap: Real,
 
     /// Print JSON
@@ -47,13 +52,23 @@ pub(crate) struct Toi {
     json: bool,
 }
 
+/// No more pairs of faces may be within the gap at the start, as each may cost a search; or so many
+/// for each face, if that is more.
+const PAIRS_MAX: usize = 100_000;
+const FACE_PAIRS_MAX: usize = 32;
+
 /// How many pairs are listed for people: two flat sides touch in hundreds.
 const LISTED: usize = 12;
 
 impl Toi {
     pub(crate) fn execute(self, limit: u64, out: &mut dyn Write) -> Result<Exit, Failure> {
         let inputs = Input::read_two(&self.a, &self.b, limit)?;
-        let [a, b] = [MeshShape::new(mesh(&inputs[0])?), MeshShape::new(mesh(&inputs[1])?)];
+        let shapes = [MeshShape::new(mesh(&inputs[0])?), MeshShape::new(mesh(&inputs[1])?)];
+        if self.gap > Real::ZERO {
+            let faces: usize = shapes.iter().map(|shape| shape.mesh().faces().len()).sum();
+            check_pairs(&shapes, "--gap", self.gap, PAIRS_MAX.max(FACE_PAIRS_MAX * faces))?;
+        }
+        let [a, b] = shapes;
         let ends: Option<Vec<_>> =
             a.vertices().iter().map(|vertex| vertex.checked_add(self.motion)).collect();
         let moving = ends.as_ref().and_then(|ends| MeshMotion::new(&a, ends).ok());
@@ -74,7 +89,7 @@ impl Toi {
             writeln!(out, "{found}")?;
         } else {
             let time = time.as_deref().unwrap_or("none");
-            writeln!(out, "{time}{}", found.as_ref().map_or("", remark))?;
+            writeln!(out, "{time}{}", found.as_ref().map_or("", |found| remark(found, self.gap)))?;
             for [a, b] in names.take(LISTED) {
                 writeln!(out, "{a}, {b}")?;
             }
@@ -87,10 +102,19 @@ impl Toi {
     }
 }
 
+/// A length that a search can take.
+fn gap(text: &str) -> Result<Real, String> {
+    let gap = length(text)?;
+    if gap > Sphere::RADIUS_MAX { Err("is above 32768".into()) } else { Ok(gap) }
+}
+
 /// What must be said of a time.
-fn remark(found: &TimeOfImpact) -> &'static str {
+fn remark(found: &TimeOfImpact, gap: Real) -> &'static str {
     match found {
         TimeOfImpact { is_cut: true, .. } => " or later: the search was cut short",
+        TimeOfImpact { time: Unit::ZERO, .. } if gap > Real::ZERO => {
+            ": within the gap at the start"
+        }
         TimeOfImpact { time: Unit::ZERO, .. } => ": they touch at the start",
         _ => "",
     }

@@ -40,6 +40,29 @@ fn a_corner_that_stops_short_touches_nothing() {
     assert_eq!(sandbox.run(&whole).expect(0).text(), "1\nvertex 2, face 0\n");
     let near = sandbox.run(&[&whole[..], &["--gap", "1.5"]].concat()).expect(0);
     assert!(near.text().starts_with("0.5\nvertex 2, face 0\n"), "{}", near.text());
+    let at_once = sandbox.run(&[&whole[..], &["--gap", "4"]].concat()).expect(0);
+    assert!(at_once.text().starts_with("0: within the gap at the start\n"), "{}", at_once.text());
+}
+
+/// All pairs of faces within the gap are looked at: one that makes that too many is refused, at
+/// once, and so is one that is too wide for a search.
+#[test]
+fn gaps_that_reach_everything_are_refused() {
+    let sandbox = sandbox("toi-gap");
+    let meshes = ["pinion", "gear"].map(|name| fixture(&format!("meshes/{name}.obj")));
+    let [a, b] = meshes.each_ref().map(|path| path.to_str().expect("a path"));
+    let refused = |gap: &str| {
+        let command = ["toi", a, b, "--motion", "-0.01,0,0", "--gap", gap];
+        sandbox.run(&command).expect(2).stderr
+    };
+    for gap in ["0.2", "32768"] {
+        let told = refused(gap);
+        assert!(told.contains("--gap") && told.contains("pairs of faces are as near"), "{told}");
+    }
+    for gap in ["32768.00000006", "1e9"] {
+        let told = refused(gap);
+        assert!(told.contains("is above 32768"), "{told}");
+    }
 }
 
 /// A third has no end in binary: the time is below it, by less than 2^-30, and printed exactly.
