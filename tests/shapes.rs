@@ -1,6 +1,6 @@
 //! What a shape can be, to the step, and the boxes around it.
 
-use verlock::geometry::{Aabb, Capsule, Cuboid, HalfSpace, ShapeError, Sphere, Triangle};
+use verlock::geometry::{Aabb, Capsule, Cuboid, HalfSpace, Segment, ShapeError, Sphere, Triangle};
 use verlock::math::{Pcg, UnitVec3};
 use verlock::{Real, Vec3};
 
@@ -21,15 +21,37 @@ fn round_shapes_are_limited() {
     assert_eq!(sphere(FAR + 1, Real::ONE), Err(ShapeError::OutOfRange("center")));
     assert_eq!(sphere(i64::MIN, Real::ONE), Err(ShapeError::OutOfRange("center")));
     assert_eq!(sphere(0, -Real::ULP), Err(ShapeError::NegativeRadius));
-    assert_eq!(sphere(0, RADIUS_MAX + Real::ULP), Err(ShapeError::TooLong));
+    assert_eq!(sphere(0, RADIUS_MAX + Real::ULP), Err(ShapeError::TooLarge("radius")));
 
     let capsule = |raw: [i64; 2], radius| Capsule::new(raw.map(diagonal), radius).map(drop);
     assert_eq!(capsule([FAR - SPAN, FAR], RADIUS_MAX), Ok(()));
     assert_eq!(capsule([0, 0], Real::ZERO), Ok(()));
     assert_eq!(capsule([FAR - SPAN - 1, FAR], Real::ONE), Err(ShapeError::TooLong));
-    assert_eq!(capsule([i64::MIN, i64::MAX], Real::ONE), Err(ShapeError::OutOfRange("ends")));
-    assert_eq!(capsule([0, FAR + 1], Real::ONE), Err(ShapeError::OutOfRange("ends")));
+    assert_eq!(capsule([i64::MIN, i64::MAX], Real::ONE), Err(ShapeError::OutOfRange("end 0")));
+    assert_eq!(capsule([0, FAR + 1], Real::ONE), Err(ShapeError::OutOfRange("end 1")));
     assert_eq!(capsule([0, 1], Real::MIN), Err(ShapeError::NegativeRadius));
+    assert_eq!(capsule([0, 1], Real::MAX), Err(ShapeError::TooLarge("radius")));
+
+    let segment = |raw: [i64; 2]| Segment::new(raw.map(diagonal)).map(drop);
+    assert_eq!(segment([FAR - SPAN, FAR]), Ok(()));
+    assert_eq!(segment([FAR - SPAN - 1, FAR]), Err(ShapeError::TooLong));
+    assert_eq!(segment([-FAR - 1, -FAR]), Err(ShapeError::OutOfRange("end 0")));
+    assert_eq!(segment([FAR, FAR + 1]), Err(ShapeError::OutOfRange("end 1")));
+}
+
+/// What is refused is named, whether it is one thing or many.
+#[test]
+fn refusals_can_be_read() {
+    for (error, text) in [
+        (ShapeError::OutOfRange("end 1"), "end 1 out of range"),
+        (ShapeError::OutOfRange("heights"), "heights out of range"),
+        (ShapeError::NegativeRadius, "radius is below 0"),
+        (ShapeError::TooLarge("radius"), "radius is above 32768 m"),
+        (ShapeError::WrongCount("heights"), "heights are too many or too few"),
+        (ShapeError::TooLong, "shape spans 131072 m or more"),
+    ] {
+        assert_eq!(error.to_string(), text);
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! All points near a segment.
 
+use super::segment::check_ends;
 use super::sphere::check_radius;
-use super::triangle::is_in_range;
 use super::{Aabb, ShapeError, Sphere, Triangle};
 use crate::math::{Real, Vec3};
 
@@ -20,9 +20,7 @@ impl Capsule {
     /// [`Triangle::SPAN_MAX`], or the radius is outside
     /// 0..=[`Sphere::RADIUS_MAX`](super::Sphere::RADIUS_MAX).
     pub fn new(ends: [Vec3; 2], radius: Real) -> Result<Self, ShapeError> {
-        if !ends.into_iter().all(is_in_range) {
-            return Err(ShapeError::OutOfRange("ends"));
-        }
+        check_ends(ends)?;
         if Aabb::new(ends[0], ends[1]).span() > Triangle::SPAN_MAX.unsigned_abs() {
             return Err(ShapeError::TooLong);
         }

@@ -6,12 +6,15 @@ use core::fmt;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum ShapeError {
-    /// A coordinate is beyond [`Triangle::COORDINATE_MAX`](super::Triangle::COORDINATE_MAX).
+    /// A coordinate is beyond [`Triangle::COORDINATE_MAX`](super::Triangle::COORDINATE_MAX), or a
+    /// step not above 0.
     OutOfRange(&'static str),
     /// It spans more than [`Triangle::SPAN_MAX`](super::Triangle::SPAN_MAX) along an axis.
     TooLong,
     /// A radius is below 0.
     NegativeRadius,
+    /// A radius is above [`Sphere::RADIUS_MAX`](super::Sphere::RADIUS_MAX).
+    TooLarge(&'static str),
     /// A normal is not of length 1.
     NotUnit(&'static str),
     /// It has no volume.
@@ -25,9 +28,10 @@ pub enum ShapeError {
 impl fmt::Display for ShapeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::OutOfRange(field) => write!(f, "{field} is out of range"),
+            Self::OutOfRange(field) => write!(f, "{field} out of range"),
             Self::TooLong => f.write_str("shape spans 131072 m or more"),
             Self::NegativeRadius => f.write_str("radius is below 0"),
+            Self::TooLarge(field) => write!(f, "{field} is above 32768 m"),
             Self::NotUnit(field) => write!(f, "{field} is not of length 1"),
             Self::Flat => f.write_str("shape has no volume"),
             Self::Mirrored => f.write_str("shape is turned inside out"),

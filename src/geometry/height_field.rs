@@ -32,6 +32,9 @@ const ALONG_X: u32 = 0;
 const ALONG_Z: u32 = 1;
 const ACROSS: u32 = 2;
 
+/// No height is farther from the origin, raw.
+const HEIGHT_MAX: u64 = Triangle::COORDINATE_MAX.unsigned_abs();
+
 impl HeightField {
     /// The field of these heights, row by row, each row along x: `heights.len() / columns` rows.
     ///
@@ -39,10 +42,10 @@ impl HeightField {
     /// vertices along x and z. O(n).
     ///
     /// # Errors
-    /// [`ShapeError::OutOfRange`] if there are fewer than two rows or columns, rows of unequal
-    /// length or more than [`TriangleMesh::VERTICES_MAX`] heights, if a step is not above 0, or a
-    /// vertex out of range; [`ShapeError::TooLong`] if the field spans more than
-    /// [`Triangle::SPAN_MAX`] along an axis.
+    /// [`ShapeError::WrongCount`] if there are fewer than two rows or columns, rows of unequal
+    /// length or more than [`TriangleMesh::VERTICES_MAX`] heights; [`ShapeError::OutOfRange`] if a
+    /// step is not above 0, or a height or a vertex out of range; [`ShapeError::TooLong`] if the
+    /// field spans more than [`Triangle::SPAN_MAX`] along an axis.
     pub fn new(
         origin: Vec3,
         steps: [Real; 2],
@@ -50,15 +53,18 @@ impl HeightField {
         heights: impl Into<Arc<[Real]>>,
     ) -> Result<Self, ShapeError> {
         let heights = heights.into();
-        if columns < 2 || heights.len() > TriangleMesh::VERTICES_MAX {
-            return Err(ShapeError::OutOfRange("columns"));
+        if columns < 2 {
+            return Err(ShapeError::WrongCount("columns"));
+        }
+        if heights.len() > TriangleMesh::VERTICES_MAX {
+            return Err(ShapeError::WrongCount("heights"));
         }
         // At most 2^22.
         #[expect(clippy::cast_possible_truncation, reason = "at most VERTICES_MAX")]
         let len = heights.len() as u32;
         let rows = len / columns;
         if rows < 2 || !len.is_multiple_of(columns) {
-            return Err(ShapeError::OutOfRange("heights"));
+            return Err(ShapeError::WrongCount("heights"));
         }
         if steps.iter().any(|&step| step <= Real::ZERO) {
             return Err(ShapeError::OutOfRange("steps"));
@@ -67,15 +73,17 @@ impl HeightField {
         let [low, high] = heights.iter().fold([Real::MAX, Real::MIN], |[low, high], &height| {
             [low.min(height), high.max(height)]
         });
+        if [low, high].iter().any(|h| h.raw().unsigned_abs() > HEIGHT_MAX) {
+            return Err(ShapeError::OutOfRange("heights"));
+        }
         let rise = i128::from(high.raw()) - i128::from(low.raw());
         let spans = [span(steps[0], columns), rise, span(steps[1], rows)];
         if spans.iter().any(|&span| span > i128::from(Triangle::SPAN_MAX)) {
             return Err(ShapeError::TooLong);
         }
         let field = Self { origin, steps, columns, rows, heights, range: [low, high] };
-        // Steps of the way are below 2^41 from here on; heights are any number yet.
-        let is_sane = low.raw().unsigned_abs() <= 1 << 60 && is_in_range(origin);
-        let bounds = is_sane.then(|| field.bounds());
+        // Steps of the way are below 2^41 from here on.
+        let bounds = is_in_range(origin).then(|| field.bounds());
         if !bounds.is_some_and(|bounds| is_in_range(bounds.min()) && is_in_range(bounds.max())) {
             return Err(ShapeError::OutOfRange("origin"));
         }

@@ -17,9 +17,7 @@ impl Segment {
     /// # Errors
     /// [`ShapeError`] if an end is out of range or it spans more than [`Triangle::SPAN_MAX`].
     pub fn new(ends: [Vec3; 2]) -> Result<Self, ShapeError> {
-        if !ends.into_iter().all(is_in_range) {
-            return Err(ShapeError::OutOfRange("ends"));
-        }
+        check_ends(ends)?;
         if Aabb::new(ends[0], ends[1]).span() > Triangle::SPAN_MAX.unsigned_abs() {
             return Err(ShapeError::TooLong);
         }
@@ -65,4 +63,10 @@ impl Capsule {
     pub const fn segment(&self) -> Segment {
         Segment::between(self.ends())
     }
+}
+
+/// Checks that both ends are in range, and names the one that is not.
+pub(super) fn check_ends(ends: [Vec3; 2]) -> Result<(), ShapeError> {
+    let far = ["end 0", "end 1"].into_iter().zip(ends).find(|&(_, end)| !is_in_range(end));
+    far.map_or(Ok(()), |(name, _)| Err(ShapeError::OutOfRange(name)))
 }

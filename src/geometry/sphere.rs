@@ -58,5 +58,5 @@ pub(super) fn check_radius(radius: Real) -> Result<(), ShapeError> {
     }
     // Diameters stay below the span of a triangle.
     const { assert!(2 * Sphere::RADIUS_MAX.raw() < Triangle::SPAN_MAX) };
-    if radius > Sphere::RADIUS_MAX { Err(ShapeError::TooLong) } else { Ok(()) }
+    if radius > Sphere::RADIUS_MAX { Err(ShapeError::TooLarge("radius")) } else { Ok(()) }
 }

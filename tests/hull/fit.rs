@@ -59,11 +59,11 @@ fn fits_contain_the_hull() {
         let contains = |inside: &dyn Fn(Vec3) -> bool| hull.vertices().iter().all(|&p| inside(p));
         match fit_sphere(&hull) {
             Ok(fit) => assert!(contains(&|p| measure::sphere_contains(&fit.shape, p))),
-            Err(error) => assert_eq!(error, ShapeError::TooLong),
+            Err(error) => assert_eq!(error, ShapeError::TooLarge("radius")),
         }
         match fit_capsule(&hull) {
             Ok(fit) => assert!(contains(&|p| measure::capsule_contains(&fit.shape, p))),
-            Err(error) => assert_eq!(error, ShapeError::TooLong),
+            Err(error) => assert_eq!(error, ShapeError::TooLarge("radius")),
         }
         let fit = fit_cuboid(&hull).expect("in range");
         assert!(contains(&|p| measure::cuboid_contains(&fit.shape, p)));

@@ -132,13 +132,13 @@ fn bad_round_hulls_are_refused() {
     assert_eq!(refused(Real::from_raw(63), 8), too_many);
     assert_eq!(refused(Real::from_raw(64), 8), None);
     assert_eq!(refused(-Real::ONE, 8), Some(ShapeError::NegativeRadius));
-    assert_eq!(refused(Sphere::RADIUS_MAX + Real::ULP, 8), Some(ShapeError::TooLong));
+    assert_eq!(refused(Sphere::RADIUS_MAX + Real::ULP, 8), Some(ShapeError::TooLarge("radius")));
     assert_eq!(refused(Sphere::RADIUS_MAX, 8), None);
     let between = |a, b| ConvexHull::cylinder([a, b], Real::ONE, 8).err();
     assert_eq!(between(Vec3::X, Vec3::X), Some(ShapeError::Flat));
     let far = Vec3::from_raw([0, (1 << 60) + 1, 0]);
-    assert_eq!(between(Vec3::X, far), Some(ShapeError::OutOfRange("ends")));
-    assert_eq!(between(Vec3::X, -far), Some(ShapeError::OutOfRange("ends")));
+    assert_eq!(between(Vec3::X, far), Some(ShapeError::OutOfRange("end 1")));
+    assert_eq!(between(Vec3::X, -far), Some(ShapeError::OutOfRange("end 1")));
     let edge = Vec3::from_raw([1 << 60, 0, 0]);
     assert_eq!(between(edge, edge + Vec3::Y), Some(ShapeError::OutOfRange("vertices")));
     assert_eq!(between(-edge, edge), Some(ShapeError::TooLong));

@@ -131,16 +131,20 @@ fn fields_have_limits() {
     let flat = [Real::ZERO; 6];
     let far = Vec3::from_raw([Triangle::COORDINATE_MAX; 3]);
     let refused = |field: Result<HeightField, _>| field.expect_err("refused");
-    let out = ShapeError::OutOfRange;
+    let (out, count) = (ShapeError::OutOfRange, ShapeError::WrongCount);
     assert!(new(Vec3::ZERO, Real::ULP, 3, &flat).is_ok());
     assert!(new(-far, real!("40000"), 2, &flat).is_ok());
-    assert_eq!(refused(new(Vec3::ZERO, Real::ONE, 1, &flat)), out("columns"));
-    assert_eq!(refused(new(Vec3::ZERO, Real::ONE, 4, &flat)), out("heights"));
-    assert_eq!(refused(new(Vec3::ZERO, Real::ONE, 6, &flat)), out("heights"));
+    assert_eq!(refused(new(Vec3::ZERO, Real::ONE, 1, &flat)), count("columns"));
+    assert_eq!(refused(new(Vec3::ZERO, Real::ONE, 4, &flat)), count("heights"));
+    assert_eq!(refused(new(Vec3::ZERO, Real::ONE, 6, &flat)), count("heights"));
     assert_eq!(refused(new(Vec3::ZERO, Real::ZERO, 3, &flat)), out("steps"));
     assert_eq!(refused(new(far, Real::ONE, 3, &flat)), out("origin"));
-    assert_eq!(refused(new(Vec3::ZERO, Real::ONE, 3, &[Real::MIN; 6])), out("origin"));
+    for far in [Real::MIN, Real::MAX] {
+        assert_eq!(refused(new(Vec3::ZERO, Real::ONE, 3, &[far; 6])), out("heights"));
+        let spike = [Real::ZERO, far, Real::ZERO, Real::ONE];
+        assert_eq!(refused(new(Vec3::ZERO, Real::ONE, 2, &spike)), out("heights"));
+    }
     assert_eq!(refused(new(Vec3::ZERO, Real::MAX, 3, &flat)), ShapeError::TooLong);
-    let cliff = [Real::MIN, Real::MAX, Real::ZERO, Real::ONE];
+    let cliff = [real!("-65536"), real!("65536"), Real::ZERO, Real::ONE];
     assert_eq!(refused(new(Vec3::ZERO, Real::ONE, 2, &cliff)), ShapeError::TooLong);
 }

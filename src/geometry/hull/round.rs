@@ -5,8 +5,8 @@ use alloc::vec::Vec;
 
 use super::ConvexHull;
 use crate::geometry::ShapeError;
+use crate::geometry::segment::check_ends;
 use crate::geometry::sphere::check_radius;
-use crate::geometry::triangle::is_in_range;
 use crate::math::determinant::cross;
 use crate::math::trig::cos_sin;
 use crate::math::wide::{dot_narrow, round_shift_wide, sub, to_i64};
@@ -69,9 +69,7 @@ fn ideal_ring(sides: u32, height: i32) -> impl Iterator<Item = Vec3> {
 
 /// From either end to its corners. Rounded once, both alike: sides are flat parallelograms.
 fn ring(ends: [Vec3; 2], radius: Real, sides: u32) -> Result<Vec<Vec3>, ShapeError> {
-    if !ends.into_iter().all(is_in_range) {
-        return Err(ShapeError::OutOfRange("ends"));
-    }
+    check_ends(ends)?;
     check_radius(radius)?;
     // A corner is before its neighbours by 4.9 radius / sides^2: farther than rounding moves them.
     let bulges = || i64::from(sides).pow(2) <= radius.raw();
