@@ -98,6 +98,31 @@ fn a_set_answers_as_its_members_would() {
     assert!(answers.iter().all(|&n| n > 100), "{answers:?}");
 }
 
+/// What a collider has to do with is changed where it is; who is unknown changes nothing.
+#[test]
+fn layers_and_user_data_are_changed() {
+    let ball = |x: i32| Sphere::new(Vec3::from_ints(x, 0, 0), Real::ONE).expect("legal");
+    let mut set = Colliders::new();
+    let [gone, id] = [0, 1].map(|x| set.insert(ball(x).into()).expect("room"));
+    assert!(set.remove(gone).is_some());
+    let layers = Layers { on: 4, mask: 2 };
+    assert_eq!(set.set_layers(gone, layers), Err(ColliderError::UnknownId));
+    assert_eq!(set.set_user_data(gone, 9), Err(ColliderError::UnknownId));
+    let never = ColliderId(Handle::new(7, 1));
+    assert_eq!(set.set_layers(never, layers), Err(ColliderError::UnknownId));
+    let known = |set: &Colliders| set.get(id).map(|c| (c.layers, c.user_data));
+    assert_eq!(known(&set), Some((Layers::ALL, 0)));
+
+    let probe: Shape = ball(1).into();
+    let fours = Filter { layers: Layers { on: 2, mask: 4 }, ..Filter::ALL };
+    let ones = Filter { layers: Layers { on: 2, mask: 1 }, ..Filter::ALL };
+    assert_eq!(set.set_layers(id, layers), Ok(()));
+    assert_eq!(set.set_user_data(id, 9), Ok(()));
+    assert_eq!(known(&set), Some((layers, 9)));
+    assert_eq!(set.overlaps(&probe, &fours), [id]);
+    assert_eq!(set.overlaps(&probe, &ones), []);
+}
+
 /// A set is what is in it, not how that came about.
 #[test]
 fn history_does_not_matter() {

@@ -116,9 +116,25 @@ impl Colliders {
                 self.file(slot, &shape)?;
             }
         }
-        if let Some(collider) = &mut self.tenants[id.0.slot()] {
-            collider.shape = shape;
-        }
+        self.tenant(id)?.shape = shape;
+        Ok(())
+    }
+
+    /// Puts a collider on other layers. O(1).
+    ///
+    /// # Errors
+    /// [`ColliderError::UnknownId`]. Then nothing has changed.
+    pub fn set_layers(&mut self, id: ColliderId, layers: Layers) -> Result<(), ColliderError> {
+        self.tenant(id)?.layers = layers;
+        Ok(())
+    }
+
+    /// Gives a collider other user data. O(1).
+    ///
+    /// # Errors
+    /// [`ColliderError::UnknownId`]. Then nothing has changed.
+    pub fn set_user_data(&mut self, id: ColliderId, user_data: u64) -> Result<(), ColliderError> {
+        self.tenant(id)?.user_data = user_data;
         Ok(())
     }
 
@@ -143,6 +159,14 @@ impl Colliders {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// The collider of an id.
+    fn tenant(&mut self, id: ColliderId) -> Result<&mut Collider, ColliderError> {
+        if !self.slots.contains(id.0) {
+            return Err(ColliderError::UnknownId);
+        }
+        self.tenants[id.0.slot()].as_mut().ok_or(ColliderError::UnknownId)
     }
 
     /// Files a slot by the box of its shape.
