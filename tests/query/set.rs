@@ -2,8 +2,8 @@
 
 use verlock::Vec3;
 use verlock::collision::{
-    Collider, ColliderError, ColliderId, Colliders, Filter, Layers, Shape, cast, cast_segment,
-    closest_points, overlap,
+    Collider, ColliderError, ColliderId, Colliders, Filter, Layers, Shape, cast,
+    cast_segment, closest_points, overlap,
 };
 use verlock::geometry::{HalfSpace, Segment, Sphere};
 use verlock::math::{Pcg, Real, UnitVec3};
@@ -11,14 +11,20 @@ use verlock::store::Handle;
 
 use super::{Draw, KINDS};
 
-/// A set that saw some coming and going, and what is in it.
-fn crowd(seed: u64, half_spaces: bool) -> (Colliders, Vec<(ColliderId, Collider)>, Draw) {
-    let mut draw = Draw { rng: Pcg::new(seed, 40), unit: 1 << 12, most: 1 << 12 };
+type Members = Vec<(ColliderId, Collider)>;
+
+/// A few metres.
+const METRES: (i64, i64) = (1 << 12, 1 << 12);
+
+/// A set that saw some coming and going, and what is in it. How large shapes are, see `Draw`; they
+/// are within four times as much.
+fn crowd(seed: u64, half_spaces: bool, (unit, most): (i64, i64)) -> (Colliders, Members, Draw) {
+    let mut draw = Draw { rng: Pcg::new(seed, 40), unit, most };
     let mut set = Colliders::new();
-    let mut all: Vec<(ColliderId, Collider)> = Vec::new();
+    let mut all = Members::new();
     for step in 0..120 {
         let kind = usize::from(!half_spaces) + draw.below(7 - i64::from(!half_spaces)) as usize;
-        let at = draw.way(1 << 14);
+        let at = draw.way(4 * most);
         let Some(shape) = draw.shape(kind, at) else { continue };
         let layers = Layers { on: 1 << draw.below(3), mask: draw.rng.next_u32() | 1 };
         let collider = Collider { shape: shape.clone(), layers, user_data: step };
@@ -48,7 +54,11 @@ fn crowd(seed: u64, half_spaces: bool) -> (Colliders, Vec<(ColliderId, Collider)
 fn a_set_answers_as_its_members_would() {
     let mut answers = [0; 4];
     for seed in 0..6 {
-        let (set, all, mut draw) = crowd(seed, seed % 2 == 0);
+        let (mut set, all, mut draw) = crowd(seed, seed % 2 == 0, METRES);
+        if seed % 3 == 0 {
+            // Catches up with what has happened, and changes no answer.
+            let _ = set.pairs(Real::ZERO);
+        }
         let odd = |id: ColliderId, _: &Collider| id.0.index % 2 == 1;
         let some = Filter { layers: Layers { on: 1, mask: 3 }, predicate: &odd };
         for round in 0..30 {
@@ -96,6 +106,61 @@ fn a_set_answers_as_its_members_would() {
         }
     }
     assert!(answers.iter().all(|&n| n > 100), "{answers:?}");
+}
+
+/// What may touch is what boxes and layers say, whatever changed since it was last asked.
+#[test]
+fn pairs_are_those_of_boxes_and_layers() {
+    let mut found = 0;
+    for seed in 20..26 {
+        let (mut set, mut all, mut draw) = crowd(seed, seed % 2 == 0, METRES);
+        for round in 0..6 {
+            let margin = Real::from_raw([-1, 0, 1, 1 << 20, 1 << 26][round % 5]);
+            let pairs = set.pairs(margin);
+            let expected = brute_pairs(&all, margin.max(Real::ZERO));
+            assert_eq!(pairs, expected);
+            found += pairs.len();
+            let touch = |[a, b]: [usize; 2]| overlap(&all[a].1.shape, &all[b].1.shape);
+            for (a, b) in (0..all.len()).flat_map(|b| (0..b).map(move |a| (a, b))) {
+                let may_meet = all[a].1.layers.may_meet(all[b].1.layers);
+                let is_listed = pairs.binary_search(&[all[a].0, all[b].0]).is_ok();
+                assert!(is_listed || !may_meet || !touch([a, b]), "{a} {b}");
+            }
+            // One goes, one moves, one changes its layers.
+            let mut place = || draw.below(all.len() as i64 - 2) as usize;
+            let (gone, moved, shown) = (place(), place(), place());
+            set.remove(all.remove(gone).0).expect("was there");
+            all[shown].1.layers = Layers { on: 1 << draw.below(3), ..Layers::ALL };
+            set.set_layers(all[shown].0, all[shown].1.layers).expect("is there");
+            let at = draw.way(1 << 14);
+            if let Some(shape) = draw.shape(1 + round % 6, at) {
+                set.set_shape(all[moved].0, shape.clone()).expect("in range");
+                all[moved].1.shape = shape;
+            }
+        }
+    }
+    assert!(found > 1000, "{found}");
+    assert!(Colliders::new().pairs(Real::ONE).is_empty());
+}
+
+/// Every two that may touch, by looking at every two.
+fn brute_pairs(all: &Members, margin: Real) -> Vec<[ColliderId; 2]> {
+    let near = |a: &Shape, b: &Shape| {
+        let (Some(a), Some(b)) = (a.bounds(), b.bounds()) else { return true };
+        let [a, b] = [a, b].map(|bounds| [bounds.min().raw(), bounds.max().raw()]);
+        (0..3).all(|k| b[0][k] - a[1][k] <= margin.raw() && a[0][k] - b[1][k] <= margin.raw())
+    };
+    let mut pairs = vec![];
+    for (place, (id, a)) in all.iter().enumerate() {
+        for (other, b) in &all[place + 1..] {
+            let layers = [a.layers, b.layers];
+            let agree = |[a, b]: [Layers; 2]| a.on & b.mask != 0 && b.on & a.mask != 0;
+            if agree(layers) && near(&a.shape, &b.shape) {
+                pairs.push([*id, *other]);
+            }
+        }
+    }
+    pairs
 }
 
 /// What a collider has to do with is changed where it is; who is unknown changes nothing.

@@ -94,7 +94,7 @@ impl Colliders {
 
     /// The colliders whose boxes touch a region, and those without a box, by id; all of them where
     /// the region has no end.
-    fn near<'a>(
+    pub(super) fn near<'a>(
         &'a self,
         region: Option<Aabb>,
         filter: &'a Filter,
