@@ -40,7 +40,8 @@ pub struct Cast {
 pub struct Touch {
     /// The point where they touch, metres, in the place where B is.
     pub position: Vec3,
-    /// From what moves to what is touched.
+    /// From what moves into what is touched, from A to B: where a surface is hit, its own normal is
+    /// the opposite.
     pub normal: UnitVec3,
 }
 
@@ -55,8 +56,9 @@ const PARTS_MAX: u32 = 64;
 /// does not. O(n) for each of a few steps.
 ///
 /// No touch is missed or told too late. What passes by at a few units of the last place may be
-/// taken for a touch. Components of the motion beyond 2^37 m, twice what a world reaches, are taken
-/// for that.
+/// taken for a touch. Times are told to 2^-30 of the way, and so is where A is then: at the end of
+/// a way of 1,000 km it may be 1 mm short of the touch. Components of the motion beyond 2^37 m,
+/// twice what a world reaches, are taken for that.
 ///
 /// ```
 /// use verlock::collision::cast;
@@ -74,41 +76,53 @@ const PARTS_MAX: u32 = 64;
 /// ```
 #[must_use]
 pub fn cast(a: &Shape, motion: Vec3, b: &Shape) -> Option<Cast> {
-    between(&a.view(), motion, &b.view())
+    cast_until(a, motion, b, Unit::ONE)
+}
+
+/// As [`cast`], or `None` if not until then.
+pub(super) fn cast_until(a: &Shape, motion: Vec3, b: &Shape, until: Unit) -> Option<Cast> {
+    between(&a.view(), motion, &b.view(), until)
 }
 
 /// Where a segment, from its first end to its second, first touches a shape; `None` if it does not.
-/// As [`cast`] of a point.
+/// As [`cast`] of a point: the normal points on into the shape, so that the surface's own normal is
+/// its opposite.
 #[must_use]
 pub fn cast_segment(segment: &Segment, shape: &Shape) -> Option<Cast> {
-    let [from, to] = segment.ends();
-    between(&View::Convex(Core::point(from)), to - from, &shape.view())
+    cast_segment_until(segment, shape, Unit::ONE)
 }
 
-pub(super) fn between(a: &View, motion: Vec3, b: &View) -> Option<Cast> {
+/// As [`cast_segment`], or `None` if not until then.
+pub(super) fn cast_segment_until(segment: &Segment, shape: &Shape, until: Unit) -> Option<Cast> {
+    let [from, to] = segment.ends();
+    between(&View::Convex(Core::point(from)), to - from, &shape.view(), until)
+}
+
+fn between(a: &View, motion: Vec3, b: &View, until: Unit) -> Option<Cast> {
     const MOST: i64 = 1 << 61;
     let motion = Vec3::from_raw(motion.raw().map(|c| c.clamp(-MOST, MOST)));
-    match (a, b) {
-        (View::Convex(a), View::Convex(b)) => of_convex(a, motion, b, Unit::ONE),
+    let found = match (a, b) {
+        (View::Convex(a), View::Convex(b)) => of_convex(a, motion, b, until),
         (View::Convex(a), View::HalfSpace(b)) => onto_half_space(a, motion, b),
-        (View::Convex(a), View::Skin(b)) => onto_skin(a, motion, *b, Unit::ONE),
+        (View::Convex(a), View::Skin(b)) => onto_skin(a, motion, *b, until),
         (View::HalfSpace(a), View::HalfSpace(b)) => of_half_spaces(a, motion, b),
         (View::Skin(a), View::HalfSpace(_) | View::Skin(_)) => {
             a.faces().into_iter().fold(None, |best, face| {
-                let until = best.map_or(Unit::ONE, |best: Cast| best.time);
+                let until = best.map_or(until, |best: Cast| best.time);
                 let triangle = a.triangle(face).into();
                 let next = match b {
                     View::Skin(b) => onto_skin(&triangle, motion, *b, until),
-                    _ => between(&View::Convex(triangle), motion, b),
+                    _ => between(&View::Convex(triangle), motion, b, until),
                 };
                 earlier(best, next.map(|next| Cast { part_a: face, ..next }))
             })
         }
         // As if the other moved towards it.
         (View::HalfSpace(_) | View::Skin(_), _) => {
-            between(b, -motion, a).map(|cast| cast.turned(motion))
+            between(b, -motion, a, until).map(|cast| cast.turned(motion))
         }
-    }
+    };
+    found.filter(|cast| cast.time <= until)
 }
 
 /// The first of both; of two at a time one that overlaps from the start, then the one with lower
@@ -121,6 +135,9 @@ fn earlier(best: Option<Cast>, next: Option<Cast>) -> Option<Cast> {
 
 /// As `of_convex`, with every face of a surface that rests: those near a part of the way after
 /// those near the parts before, until one is touched.
+///
+/// A limit changes nothing that is found before it: it ends the search only where it is before a
+/// part begins, and what is touched by then, if early by a rounding, is near the parts before.
 fn onto_skin(a: &Core, motion: Vec3, b: Skin, until: Unit) -> Option<Cast> {
     let bounds = a.bounds();
     let longest = motion.raw().map(i64::unsigned_abs).into_iter().max().unwrap_or(0);
@@ -137,7 +154,7 @@ fn onto_skin(a: &Core, motion: Vec3, b: Skin, until: Unit) -> Option<Cast> {
     };
     let mut faces = Vec::new();
     let mut best: Option<Cast> = None;
-    for part in 0..parts {
+    for part in (0..parts).take_while(|&part| time(part) <= until) {
         let end = time(part + 1);
         let swept = place(time(part)).union(place(end));
         // A unit more, as places are rounded.
@@ -147,7 +164,7 @@ fn onto_skin(a: &Core, motion: Vec3, b: Skin, until: Unit) -> Option<Cast> {
             let next = of_convex(a, motion, &b.triangle(face).into(), until);
             best = earlier(best, next.map(|next| Cast { part_b: face, ..next }));
         }
-        if best.map_or(until, |best| best.time) <= end {
+        if best.is_some_and(|best| best.time <= end) {
             break;
         }
     }

@@ -2,7 +2,7 @@
 
 use verlock::Vec3;
 use verlock::collision::{
-    Collider, ColliderError, ColliderId, Colliders, Filter, Layers, Shape, cast,
+    Cast, Collider, ColliderError, ColliderId, Colliders, Filter, Layers, Shape, cast,
     cast_segment, closest_points, overlap,
 };
 use verlock::geometry::{HalfSpace, Segment, Sphere};
@@ -106,6 +106,40 @@ fn a_set_answers_as_its_members_would() {
         }
     }
     assert!(answers.iter().all(|&n| n > 100), "{answers:?}");
+}
+
+/// The first hit is the first of all hits: also of several at one time, from within, and of shapes
+/// of any size.
+#[test]
+fn first_hits_are_the_first_of_all() {
+    let (mut hits, mut ties, mut later) = (0, 0, 0);
+    let mut count = |all: &[(ColliderId, Cast)]| {
+        hits += usize::from(!all.is_empty());
+        ties += usize::from(all.len() > 1 && all[0].1.time == all[1].1.time);
+        later += usize::from(all.first().is_some_and(|hit| hit.1.touch.is_some()));
+    };
+    for (seed, class) in
+        (10..).zip([METRES, METRES, (1, 4), (1, 12), (1, 1 << 28), (1 << 9, 1 << 29)])
+    {
+        let (set, _, mut draw) = crowd(seed, seed % 3 == 0, class);
+        let odd = |id: ColliderId, _: &Collider| id.0.index % 2 == 1;
+        let some = Filter { layers: Layers { on: 1, mask: 3 }, predicate: &odd };
+        for round in 0..120 {
+            let filter = if round % 2 == 0 { &Filter::ALL } else { &some };
+            let at = draw.way(4 * class.1);
+            let motion = draw.way(3 * class.1);
+            if let Some(shape) = draw.shape(round % KINDS.len(), at) {
+                let all = set.cast(&shape, motion, filter);
+                assert_eq!(set.cast_first(&shape, motion, filter), all.first().copied());
+                count(&all);
+            }
+            let segment = Segment::new([at, at + motion]).expect("in range");
+            let all = set.cast_segment(&segment, filter);
+            assert_eq!(set.cast_segment_first(&segment, filter), all.first().copied());
+            count(&all);
+        }
+    }
+    assert!(hits > 300 && ties > 50 && later > 50, "{hits} {ties} {later}");
 }
 
 /// What may touch is what boxes and layers say, whatever changed since it was last asked.

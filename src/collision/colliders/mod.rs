@@ -1,6 +1,7 @@
 //! A set of shapes that can be asked what is where.
 
 mod collider;
+mod first;
 mod pairs;
 mod query;
 

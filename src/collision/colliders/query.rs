@@ -29,7 +29,8 @@ impl Filter<'_> {
 
 impl Colliders {
     /// What a shape touches on its way, moving by `motion` in metres without turning, in the order
-    /// in which it does: by time, then by id. See [`cast`].
+    /// in which it does: by time, then by id. See [`cast`], and
+    /// [`cast_first`](Self::cast_first) if the first one is enough.
     #[must_use]
     pub fn cast(&self, shape: &Shape, motion: Vec3, filter: &Filter) -> Vec<(ColliderId, Cast)> {
         let way = |bounds: Aabb| bounds.union(shifted(&bounds, motion));
@@ -38,7 +39,8 @@ impl Colliders {
     }
 
     /// What a segment goes through, from its first end to its second, in order: by time, then by
-    /// id. See [`cast_segment`].
+    /// id. Normals point into what is hit. See [`cast_segment`], and
+    /// [`cast_segment_first`](Self::cast_segment_first) if the first one is enough.
     #[must_use]
     pub fn cast_segment(&self, segment: &Segment, filter: &Filter) -> Vec<(ColliderId, Cast)> {
         let region = Some(segment.bounds());
@@ -116,7 +118,7 @@ impl Colliders {
 }
 
 /// A box elsewhere, or as far as there are numbers.
-fn shifted(bounds: &Aabb, by: Vec3) -> Aabb {
+pub(super) fn shifted(bounds: &Aabb, by: Vec3) -> Aabb {
     let shift = |corner: Vec3| {
         let (corner, by) = (corner.raw(), by.raw());
         Vec3::from_raw([0, 1, 2].map(|k| corner[k].saturating_add(by[k])))
