@@ -73,7 +73,7 @@ impl Contacts {
         }
         if self.json {
             let all: Vec<_> = manifolds.iter().map(told).collect();
-            writeln!(out, "{}", json!({ "v": 1, "manifolds": all }))?;
+            writeln!(out, "{:#}", json!({ "v": 1, "manifolds": all }))?;
             return Ok(Exit::Fine);
         }
         for manifold in &manifolds {

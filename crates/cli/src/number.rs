@@ -17,8 +17,8 @@ pub(crate) fn length(text: &str) -> Result<Real, String> {
     if length < Real::ZERO { Err("is below 0".into()) } else { Ok(length) }
 }
 
-/// A whole number that is not too small.
+/// A whole number that is neither too small nor too large.
 pub(crate) fn count_from<const LEAST: u32>(text: &str) -> Result<u32, String> {
     let count = text.parse().ok().filter(|&count| count >= LEAST);
-    count.ok_or_else(|| format!("a whole number from {LEAST} on is expected"))
+    count.ok_or_else(|| format!("a whole number from {LEAST} to {} is expected", u32::MAX))
 }

@@ -86,7 +86,7 @@ impl Toi {
             let found = json!({
                 "v": 1, "hit": found.is_some(), "t": time, "features": features, "cut": is_cut,
             });
-            writeln!(out, "{found}")?;
+            writeln!(out, "{found:#}")?;
         } else {
             let time = time.as_deref().unwrap_or("none");
             writeln!(out, "{time}{}", found.as_ref().map_or("", |found| remark(found, self.gap)))?;

@@ -56,7 +56,10 @@ impl Wanted {
         if let Some(triangles) = triangles {
             return fewer(original, triangles as usize, input);
         }
-        let refused = |error: ShapeError| input.refused(error);
+        let refused = |error: ShapeError| match error {
+            ShapeError::Flat => input.refused("all vertices lie in one plane"),
+            _ => input.refused(error),
+        };
         let around = ConvexHull::around(original.vertices().iter().copied()).map_err(refused)?;
         let too_far = |_| input.refused("the shape around it reaches beyond 2^36 m");
         match (hull, fit) {

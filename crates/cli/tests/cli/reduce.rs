@@ -98,6 +98,21 @@ fn what_stands_in_is_written() {
     }
 }
 
+/// What is told of meshes is laid out alike, a name a line.
+#[test]
+fn json_is_laid_out_alike() {
+    let sandbox = sandbox("reduce-json");
+    for command in [
+        &["reduce", "cube.obj", "--hull", "8"][..],
+        &["contacts", "cube.obj", "sheet.obj"],
+        &["toi", "cube.obj", "sheet.obj", "--motion", "0,0,1"],
+    ] {
+        let told = sandbox.run(&[command, &["--json"]].concat()).expect(0);
+        let lines = told.text().lines().filter(|line| line.starts_with("  \""));
+        assert_eq!(lines.count(), told.json().as_object().expect("names").len(), "{command:?}");
+    }
+}
+
 #[test]
 fn both_are_painted() {
     let sandbox = sandbox("reduce-render");
@@ -129,9 +144,12 @@ fn what_makes_no_sense_is_refused() {
         sandbox.run(&[&["reduce", "cube.obj"], args].concat()).expect(2);
     }
     // Numbers below 0 are values of options, which say what they want.
-    for (option, value) in [("--triangles", "-5"), ("--hull", "-1"), ("--hull", "3")] {
+    let large = ["--triangles", "4294967296"];
+    for [option, value] in [["--triangles", "-5"], ["--hull", "-1"], ["--hull", "3"], large] {
         let refused = sandbox.run(&["reduce", "cube.obj", option, value]).expect(2);
-        assert!(refused.stderr.contains("a whole number from"), "{}", refused.stderr);
+        let least = if option == "--hull" { 4 } else { 1 };
+        let what = format!("a whole number from {least} to 4294967295 is expected");
+        assert!(refused.stderr.contains(&what), "{}", refused.stderr);
     }
     for args in [["contacts", "--margin"], ["toi", "--gap"]] {
         let command = [args[0], "cube.obj", "cube.obj", args[1], "-1"];
@@ -140,7 +158,10 @@ fn what_makes_no_sense_is_refused() {
     }
     sandbox.run(&["reduce", "none.obj", "--hull", "8"]).expect(2).says("none.obj: ");
     // A sheet has no volume.
-    sandbox.run(&["reduce", "sheet.obj", "--hull", "8"]).expect(3).says("sheet.obj: ");
+    for args in [["--hull", "8"], ["--fit", "box"], ["--fit", "sphere"]] {
+        let flat = sandbox.run(&[&["reduce", "sheet.obj"], &args[..]].concat()).expect(3);
+        flat.says("sheet.obj: all vertices lie in one plane");
+    }
     assert_eq!(sandbox.read("cube.obj"), CUBE.as_bytes());
     // At the end of the world there is no room for what is round.
     let edge = CUBE_AT_THE_EDGE;
