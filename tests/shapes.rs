@@ -1,6 +1,11 @@
 //! What a shape can be, to the step, and the boxes around it.
 
-use verlock::geometry::{Aabb, Capsule, Cuboid, HalfSpace, Segment, ShapeError, Sphere, Triangle};
+use std::sync::Arc;
+
+use verlock::collision::MeshShape;
+use verlock::geometry::{
+    Aabb, Capsule, Cuboid, HalfSpace, Segment, ShapeError, Sphere, Triangle, TriangleMesh,
+};
 use verlock::math::{Pcg, UnitVec3};
 use verlock::{Real, Vec3};
 
@@ -20,7 +25,7 @@ fn round_shapes_are_limited() {
     let sphere = |raw, radius| Sphere::new(diagonal(raw), radius).map(drop);
     assert_eq!(sphere(FAR + 1, Real::ONE), Err(ShapeError::OutOfRange("center")));
     assert_eq!(sphere(i64::MIN, Real::ONE), Err(ShapeError::OutOfRange("center")));
-    assert_eq!(sphere(0, -Real::ULP), Err(ShapeError::NegativeRadius));
+    assert_eq!(sphere(0, -Real::ULP), Err(ShapeError::Negative("radius")));
     assert_eq!(sphere(0, RADIUS_MAX + Real::ULP), Err(ShapeError::TooLarge("radius")));
 
     let capsule = |raw: [i64; 2], radius| Capsule::new(raw.map(diagonal), radius).map(drop);
@@ -29,7 +34,7 @@ fn round_shapes_are_limited() {
     assert_eq!(capsule([FAR - SPAN - 1, FAR], Real::ONE), Err(ShapeError::TooLong));
     assert_eq!(capsule([i64::MIN, i64::MAX], Real::ONE), Err(ShapeError::OutOfRange("end 0")));
     assert_eq!(capsule([0, FAR + 1], Real::ONE), Err(ShapeError::OutOfRange("end 1")));
-    assert_eq!(capsule([0, 1], Real::MIN), Err(ShapeError::NegativeRadius));
+    assert_eq!(capsule([0, 1], Real::MIN), Err(ShapeError::Negative("radius")));
     assert_eq!(capsule([0, 1], Real::MAX), Err(ShapeError::TooLarge("radius")));
 
     let segment = |raw: [i64; 2]| Segment::new(raw.map(diagonal)).map(drop);
@@ -39,13 +44,24 @@ fn round_shapes_are_limited() {
     assert_eq!(segment([FAR, FAR + 1]), Err(ShapeError::OutOfRange("end 1")));
 }
 
+#[test]
+fn thicknesses_are_limited() {
+    let mesh = TriangleMesh::new([Vec3::ZERO, Vec3::X, Vec3::Z], [[0, 1, 2]]).expect("a mesh");
+    let shape = MeshShape::new(Arc::new(mesh));
+    let thick = |thickness| shape.clone().with_thickness(thickness).map(|s| s.thickness());
+    assert_eq!(thick(RADIUS_MAX), Ok(RADIUS_MAX));
+    let refused = |thickness| thick(thickness).unwrap_err().to_string();
+    assert_eq!(refused(-Real::ULP), "thickness is below 0");
+    assert_eq!(refused(Real::MAX), "thickness is above 32768 m");
+}
+
 /// What is refused is named, whether it is one thing or many.
 #[test]
 fn refusals_can_be_read() {
     for (error, text) in [
         (ShapeError::OutOfRange("end 1"), "end 1 out of range"),
         (ShapeError::OutOfRange("heights"), "heights out of range"),
-        (ShapeError::NegativeRadius, "radius is below 0"),
+        (ShapeError::Negative("radius"), "radius is below 0"),
         (ShapeError::TooLarge("radius"), "radius is above 32768 m"),
         (ShapeError::WrongCount("heights"), "heights are too many or too few"),
         (ShapeError::TooLong, "shape spans 131072 m or more"),

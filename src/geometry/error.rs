@@ -11,9 +11,9 @@ pub enum ShapeError {
     OutOfRange(&'static str),
     /// It spans more than [`Triangle::SPAN_MAX`](super::Triangle::SPAN_MAX) along an axis.
     TooLong,
-    /// A radius is below 0.
-    NegativeRadius,
-    /// A radius is above [`Sphere::RADIUS_MAX`](super::Sphere::RADIUS_MAX).
+    /// A radius or a thickness is below 0.
+    Negative(&'static str),
+    /// A radius or a thickness is above [`Sphere::RADIUS_MAX`](super::Sphere::RADIUS_MAX).
     TooLarge(&'static str),
     /// A normal is not of length 1.
     NotUnit(&'static str),
@@ -30,7 +30,7 @@ impl fmt::Display for ShapeError {
         match self {
             Self::OutOfRange(field) => write!(f, "{field} out of range"),
             Self::TooLong => f.write_str("shape spans 131072 m or more"),
-            Self::NegativeRadius => f.write_str("radius is below 0"),
+            Self::Negative(field) => write!(f, "{field} is below 0"),
             Self::TooLarge(field) => write!(f, "{field} is above 32768 m"),
             Self::NotUnit(field) => write!(f, "{field} is not of length 1"),
             Self::Flat => f.write_str("shape has no volume"),

@@ -54,7 +54,7 @@ impl Sphere {
 /// Checks the radius of something round.
 pub(super) fn check_radius(radius: Real) -> Result<(), ShapeError> {
     if radius < Real::ZERO {
-        return Err(ShapeError::NegativeRadius);
+        return Err(ShapeError::Negative("radius"));
     }
     // Diameters stay below the span of a triangle.
     const { assert!(2 * Sphere::RADIUS_MAX.raw() < Triangle::SPAN_MAX) };

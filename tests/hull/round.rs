@@ -131,7 +131,7 @@ fn bad_round_hulls_are_refused() {
     assert_eq!(refused(Real::ZERO, 3), too_many);
     assert_eq!(refused(Real::from_raw(63), 8), too_many);
     assert_eq!(refused(Real::from_raw(64), 8), None);
-    assert_eq!(refused(-Real::ONE, 8), Some(ShapeError::NegativeRadius));
+    assert_eq!(refused(-Real::ONE, 8), Some(ShapeError::Negative("radius")));
     assert_eq!(refused(Sphere::RADIUS_MAX + Real::ULP, 8), Some(ShapeError::TooLarge("radius")));
     assert_eq!(refused(Sphere::RADIUS_MAX, 8), None);
     let between = |a, b| ConvexHull::cylinder([a, b], Real::ONE, 8).err();

@@ -46,13 +46,13 @@ impl MeshShape {
     /// the bare faces. Add what both of a pair have to the margin, and take it off separations.
     ///
     /// # Errors
-    /// [`ShapeError::NegativeRadius`], or [`ShapeError::TooLong`] above [`Sphere::RADIUS_MAX`].
+    /// [`ShapeError::Negative`], or [`ShapeError::TooLarge`] above [`Sphere::RADIUS_MAX`].
     pub fn with_thickness(self, thickness: Real) -> Result<Self, ShapeError> {
         if thickness < Real::ZERO {
-            return Err(ShapeError::NegativeRadius);
+            return Err(ShapeError::Negative("thickness"));
         }
         if thickness > Sphere::RADIUS_MAX {
-            return Err(ShapeError::TooLong);
+            return Err(ShapeError::TooLarge("thickness"));
         }
         Ok(Self { thickness, ..self })
     }
