@@ -25,7 +25,8 @@ use crate::math::{Real, Vec3};
 /// a face where they intersect, or the one that lessens the common volume fastest. What has no
 /// inside is pushed out to the side from which it is the shorter way. Where one has gone right
 /// through the other, it is the shortest way that parts them as wholes, if that is farther than
-/// needed too. O(k log k) for k faces near one another, and all vertices inside.
+/// needed too. O(k log k) for k faces near one another and all vertices inside, and O(n) for all n
+/// faces if nothing near is a way out of some part.
 ///
 /// If they do not touch, each shell of one, which is what hangs together, that is inside the other,
 /// which is closed and one-sided, is pushed out as a whole: through the nearest place that leaves
@@ -185,7 +186,7 @@ fn reach(margin: Real) -> Real {
     counted(margin).max(DEPTH_MAX)
 }
 
-/// A box grown to every side. Coordinates are below 2^61.
+/// A box grown to every side. Its coordinates and the reach are below 2^62.
 pub(super) fn grown(bounds: &Aabb, reach: Real) -> Aabb {
     let reach = Vec3::new(reach, reach, reach);
     Aabb::new(bounds.min() - reach, bounds.max() + reach)

@@ -112,8 +112,8 @@ pub(super) fn way_out<A: Surface, B: Surface>(
     along_area.filter(is_near).unwrap_or(apart)
 }
 
-/// A way that frees, cut short where surfaces are hollow, as in a corner, and come apart sooner than
-/// as far as they reach: it is too long by a sixteenth at most.
+/// A way that frees, cut short where surfaces are hollow, as in a corner, and come apart sooner
+/// than as far as they reach: it is too long by a sixteenth at most.
 fn shortened(way: Way, mut frees: impl FnMut(&Way) -> bool) -> Way {
     let shorter = |depth: i64| Way { depth: Real::from_raw(depth), levels: None, ..way };
     let mut least = shorter(way.depth.raw() - way.depth.raw() / 16);
