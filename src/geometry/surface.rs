@@ -48,6 +48,12 @@ pub trait Surface {
         false
     }
 
+    /// A face of each of its parts that hang together by vertices. O(1). It is one part, unless a
+    /// surface says otherwise.
+    fn shells(&self) -> &[u32] {
+        &[0]
+    }
+
     /// The triangle of a face. O(1).
     #[inline]
     fn triangle(&self, face: u32) -> Triangle {

@@ -1,6 +1,5 @@
 //! Surfaces that are inside of others as a whole.
 
-use alloc::vec;
 use alloc::vec::Vec;
 
 use super::contains::is_within;
@@ -16,9 +15,8 @@ use crate::math::{Real, UnitVec3, Vec3};
 /// The normal and the contacts of each shell of two surfaces that is inside the other surface as a
 /// whole; a shell is what hangs together. The surfaces must not intersect.
 ///
-/// O(k log k) for k faces of one within the box around the other, which is closed and one-sided;
-/// for each shell that is inside also O(n log n) for n faces, and as much again for each place that
-/// is tried.
+/// O(log n) for each shell of n faces if the other surface is closed and one-sided and the boxes
+/// around both meet; for each that is inside O(n log n), and as much again for each place tried.
 pub(super) fn contained<A: Surface, B: Surface>(a: &A, b: &B) -> Vec<(UnitVec3, Vec<Contact>)> {
     let mut parts = within(b, a);
     for (normal, contacts) in &mut parts {
@@ -38,42 +36,7 @@ fn within<A: Surface, B: Surface>(outer: &A, inner: &B) -> Vec<(UnitVec3, Vec<Co
     if !is_solid || !outer.bounds().overlaps(&inner.bounds()) {
         return Vec::new();
     }
-    let shells = shells_in(inner, &outer.bounds()).into_iter();
-    shells.filter_map(|face| part(outer, inner, face)).collect()
-}
-
-/// The lowest face of each shell of which all vertices are in a box.
-fn shells_in<S: Surface>(surface: &S, bounds: &Aabb) -> Vec<u32> {
-    let (mut faces, mut open, mut shells) = (Vec::new(), Vec::new(), Vec::new());
-    surface.faces_near(bounds, &mut faces);
-    let mut is_seen = vec![false; faces.len()];
-    for first in 0..faces.len() {
-        if is_seen[first] {
-            continue;
-        }
-        is_seen[first] = true;
-        open.push(first);
-        let mut is_in = true;
-        while let Some(place) = open.pop() {
-            for vertex in surface.corners(faces[place]) {
-                // Each part of a shell that is not in the box has such a vertex of its own.
-                if !bounds.overlaps(&Aabb::of_point(surface.position(vertex))) {
-                    is_in = false;
-                    continue;
-                }
-                for face in surface.faces_at_vertex(vertex) {
-                    let Ok(next) = faces.binary_search(&face) else { continue };
-                    if !core::mem::replace(&mut is_seen[next], true) {
-                        open.push(next);
-                    }
-                }
-            }
-        }
-        if is_in {
-            shells.push(faces[first]);
-        }
-    }
-    shells
+    inner.shells().iter().filter_map(|&face| part(outer, inner, face)).collect()
 }
 
 /// The same of the shell that holds a face.

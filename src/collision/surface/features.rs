@@ -16,6 +16,8 @@ pub(super) struct Features {
     at_vertices: Lists,
     /// Whether there are edges, and each has two faces that go along it in opposite directions.
     pub(super) is_closed: bool,
+    /// The lowest face of each part that hangs together, sorted.
+    pub(super) shells: Vec<u32>,
 }
 
 impl Features {
@@ -43,7 +45,8 @@ impl Features {
         adjacency.edges().for_each(|edge| at_edges.push(edge.faces.iter().copied()));
         let at_vertices = at_vertices(mesh);
         let is_closed = is_closed && !ends.is_empty();
-        Self { ends, sides, at_edges, at_vertices, is_closed }
+        let shells = shells(mesh, &adjacency.components());
+        Self { ends, sides, at_edges, at_vertices, is_closed, shells }
     }
 
     /// The faces at an edge, sorted.
@@ -57,6 +60,16 @@ impl Features {
     pub(super) fn at_vertex(&self, vertex: u32) -> &[u32] {
         self.at_vertices.get(vertex as usize)
     }
+}
+
+/// The lowest face of each component of vertices that has one.
+fn shells(mesh: &TriangleMesh, components: &[u32]) -> Vec<u32> {
+    let mut is_known = vec![false; components.len()];
+    let mut is_new = |[first, ..]: &[u32; 3]| {
+        // Components are numbered from 0, and there are no more of them than vertices.
+        !core::mem::replace(&mut is_known[components[*first as usize] as usize], true)
+    };
+    (0..).zip(mesh.faces()).filter(|(_, face)| is_new(face)).map(|(number, _)| number).collect()
 }
 
 /// The faces at every vertex.

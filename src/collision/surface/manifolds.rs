@@ -30,9 +30,8 @@ use crate::math::{Real, Vec3};
 ///
 /// If they do not touch, each shell of one, which is what hangs together, that is inside the other,
 /// which is closed and one-sided, is pushed out as a whole: through the nearest place that leaves
-/// it free, or out of the box around the other. That is O(k log k) for k faces of one within the
-/// box around the other, and for each shell inside O(n log n) for all n faces and each place that
-/// is tried, 16 at most.
+/// it free, or out of the box around the other. That is O(log n) for each shell, and for each that
+/// is inside O(n log n) for all n faces and each place that is tried, 16 at most.
 pub fn manifolds_mesh_mesh(a: &MeshShape, b: &MeshShape, margin: Real, out: &mut Vec<Manifold>) {
     let mut pairs = Vec::new();
     a.tree().near_pairs(b.tree(), reach(margin), &mut pairs);

@@ -163,4 +163,9 @@ impl Surface for MeshShape {
     fn is_closed(&self) -> bool {
         self.features.is_closed
     }
+
+    #[inline]
+    fn shells(&self) -> &[u32] {
+        &self.features.shells
+    }
 }

@@ -77,6 +77,10 @@ impl<S: Surface> Surface for View<'_, S> {
     fn is_closed(&self) -> bool {
         self.surface.is_closed()
     }
+
+    fn shells(&self) -> &[u32] {
+        self.surface.shells()
+    }
 }
 
 fn moved(bounds: &Aabb, way: Vec3) -> Aabb {
