@@ -61,7 +61,7 @@ impl Colliders {
         Self::default()
     }
 
-    /// Takes in a collider. O(log n).
+    /// Takes in a collider. O(sqrt n) on average for n colliders.
     ///
     /// # Errors
     /// [`ColliderError`] if it is out of range or there are too many. Then nothing has changed.
@@ -76,6 +76,7 @@ impl Colliders {
         let id = self.slots.insert();
         // What is in range and new is taken.
         self.file(id.index, &collider.shape)?;
+        self.tree.keep_up();
         if self.tenants.len() <= id.slot() {
             self.tenants.resize(id.slot() + 1, None);
         }
@@ -83,17 +84,19 @@ impl Colliders {
         Ok(ColliderId(id))
     }
 
-    /// Takes out a collider; `None` if there is none of this id. O(log n).
+    /// Takes out a collider; `None` if there is none of this id. O(sqrt n) on average.
     pub fn remove(&mut self, id: ColliderId) -> Option<Collider> {
         if !self.slots.remove(id.0) {
             return None;
         }
         let collider = self.tenants[id.0.slot()].take();
         self.unfile(id.0.index);
+        self.tree.keep_up();
         collider
     }
 
-    /// Gives a collider another shape, or the same elsewhere. O(1), and more when it is asked next.
+    /// Gives a collider another shape, or the same elsewhere. O(1) where it moves a little, else
+    /// O(sqrt n) on average.
     ///
     /// # Errors
     /// [`ColliderError`] if the id is unknown or the shape out of range. Then nothing has changed.
@@ -118,6 +121,7 @@ impl Colliders {
                 self.file(slot, &shape)?;
             }
         }
+        self.tree.keep_up();
         self.tenant(id)?.shape = shape;
         Ok(())
     }

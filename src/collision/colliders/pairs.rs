@@ -6,16 +6,13 @@ use super::{ColliderId, Colliders, Filter};
 use crate::collision::distance::grown;
 use crate::collision::margin::counted;
 use crate::math::Real;
-use crate::partition::Partition;
 
 impl Colliders {
     /// Which colliders may touch, the lower id first, sorted: those whose layers agree both ways,
     /// and whose boxes are not more than `margin` apart along any axis, in metres; it counts as in
     /// [`collide`](crate::collision::collide). A half-space has no box, and is near everything.
     ///
-    /// Catches up with all changes to the set, for which it is `mut`; until then every query looks
-    /// at whatever changed since, one by one. O((n + k) log n) for n colliders and k pairs of boxes
-    /// that are as near.
+    /// O(n log n + k) for n colliders and k pairs of boxes that are as near.
     ///
     /// ```
     /// use verlock::collision::{Colliders, collide};
@@ -44,9 +41,7 @@ impl Colliders {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn pairs(&mut self, margin: Real) -> Vec<[ColliderId; 2]> {
-        // What asks for the pairs of tight boxes leaves nothing to catch up with.
-        let _ = self.tree.pairs();
+    pub fn pairs(&self, margin: Real) -> Vec<[ColliderId; 2]> {
         let margin = counted(margin);
         let mut pairs = Vec::new();
         for (id, collider) in self.iter() {

@@ -32,6 +32,9 @@ const THIN_PART: i64 = 8;
 /// all at one place, would make a list of it. What is just built is not as deep.
 const DEPTH_MAX: u32 = 128;
 
+/// Queries may look at so many changed objects one by one.
+const BACKLOG_MAX: usize = 32;
+
 /// The default: a tree of boxes, and a list of *candidates* that outlives the tick.
 ///
 /// A leaf is a *fat* box, which reaches ahead of the object's motion. While objects stay in their
@@ -76,6 +79,15 @@ impl DynamicTree {
     #[must_use]
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Catches up with all changes if a query would look at too many of them one by one: at a few
+    /// times the root of how many objects there are. So a change costs O(sqrt n + log n) by the way.
+    pub(crate) fn keep_up(&mut self) {
+        let [changed, all] = [self.roster.stale().len(), self.roster.len() as usize];
+        if changed > BACKLOG_MAX && changed * changed / 16 > all {
+            self.settle();
+        }
     }
 
     /// Catches up with all changes.
@@ -326,6 +338,35 @@ mod tests {
                 assert!(deepest <= Some(DEPTH_MAX), "{deepest:?} in tick {tick}");
                 assert_eq!(tree.validate(), Ok(()));
             }
+        }
+    }
+
+    /// However many change, few are looked at one by one, and the rest is where it should be.
+    #[test]
+    fn queries_find_what_has_changed() {
+        let mut tree = DynamicTree::new();
+        let mut most = 0;
+        for id in 0..3000 {
+            let place = |id: u32| i32::try_from(id * 7 % 3000).unwrap_or(0);
+            tree.insert(id, cube(2 * place(id))).expect("inserted");
+            tree.keep_up();
+            if id % 3 == 2 {
+                tree.remove(id - 1).expect("removed");
+                tree.keep_up();
+                tree.update(id / 2 * 2 / 3 * 3, cube(2 * place(id + 1) + 1)).expect("updated");
+                tree.keep_up();
+            }
+            most = most.max(tree.roster.stale().len());
+        }
+        assert_eq!(tree.validate(), Ok(()));
+        assert!((32..=200).contains(&most), "{most}");
+        let mut found = Vec::new();
+        for x in 0..600 {
+            let region =
+                Aabb::new(Vec3::from_ints(10 * x, 0, 0), Vec3::from_ints(10 * x + 3, 1, 1));
+            tree.query(&region, &mut found);
+            let near = |&id: &u32| tree.object(id).is_some_and(|o| o.bounds.overlaps(&region));
+            assert_eq!(found, (0..3000).filter(near).collect::<Vec<_>>());
         }
     }
 
