@@ -63,13 +63,8 @@ impl Feet {
         let Some(nearest) = self.nearest(surface) else { return &self.found };
         if side(surface, point, nearest.feature) == Side::Inside {
             self.found.push(nearest.foot(surface, point, Side::Inside));
-            return &self.found;
-        }
-        for (candidate, is_whole) in groups(&self.candidates, surface) {
-            let is_foot = is_whole || candidate.feature == nearest.feature;
-            if is_foot && side(surface, point, candidate.feature) == Side::Outside {
-                self.found.push(candidate.foot(surface, point, Side::Outside));
-            }
+        } else {
+            self.collect(surface, point, nearest, Side::Outside);
         }
         &self.found
     }
@@ -87,14 +82,19 @@ impl Feet {
         self.found.clear();
         self.gather(surface, point, faces, reach);
         let Some(nearest) = self.nearest(surface) else { return &self.found };
-        for (candidate, is_whole) in groups(&self.candidates, surface) {
-            let is_foot = is_whole || candidate.feature == nearest.feature;
-            if is_foot && side(surface, point, candidate.feature) == Side::Inside {
-                self.found.push(candidate.foot(surface, point, Side::Inside));
-            }
-        }
+        self.collect(surface, point, nearest, Side::Inside);
         self.found.sort_unstable_by_key(|foot| (-foot.separation, foot.feature));
         &self.found
+    }
+
+    /// Adds all places from which the point is seen on a side, sorted by feature.
+    fn collect<S: Surface>(&mut self, surface: &S, point: Vec3, nearest: Candidate, on: Side) {
+        for (candidate, is_whole) in groups(&self.candidates, surface) {
+            let is_foot = is_whole || candidate.feature == nearest.feature;
+            if is_foot && side(surface, point, candidate.feature) == on {
+                self.found.push(candidate.foot(surface, point, on));
+            }
+        }
     }
 
     /// The nearest place of all, but of those that are as near one that is whole.

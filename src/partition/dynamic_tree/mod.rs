@@ -82,7 +82,8 @@ impl DynamicTree {
     }
 
     /// Catches up with all changes if a query would look at too many of them one by one: at a few
-    /// times the root of how many objects there are. So a change costs O(sqrt n + log n) by the way.
+    /// times the root of how many objects there are. So a change costs about O(c / sqrt n) for n
+    /// objects and c candidates.
     pub(crate) fn keep_up(&mut self) {
         let [changed, all] = [self.roster.stale().len(), self.roster.len() as usize];
         if changed > BACKLOG_MAX && changed * changed / 16 > all {
