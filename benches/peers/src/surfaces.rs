@@ -1,5 +1,5 @@
-//! Contact manifolds of meshes: capsules on hills, beside parry's, and pairs of rings
-//! and pairs of hills, which parry does not take.
+//! Contact manifolds of meshes: capsules on hills, beside parry's, and pairs of rings and of hills,
+//! which parry does not take.
 
 use std::f64::consts::TAU;
 use std::hint::black_box;
