@@ -12,7 +12,8 @@ impl Colliders {
     /// and whose boxes are not more than `margin` apart along any axis, in metres; it counts as in
     /// [`collide`](crate::collision::collide). A half-space has no box, and is near everything.
     ///
-    /// O(n log n + k) for n colliders and k pairs of boxes that are as near.
+    /// O(n log n + k) for n colliders and k pairs of boxes that are as near, or O(n sqrt n + k)
+    /// where many have moved since.
     ///
     /// ```
     /// use verlock::collision::{Colliders, collide};

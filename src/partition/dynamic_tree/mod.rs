@@ -59,6 +59,8 @@ pub struct DynamicTree {
     origin: Vec3,
     /// All pairs of leaves whose coarse boxes touch, sorted. Some may be gone from the tree.
     candidates: Vec<Pair>,
+    /// Whether there are candidates: they are not listed before pairs are asked for.
+    is_listed: bool,
     /// Room for as many pairs as there are candidates.
     pairs: Vec<Pair>,
     /// Leaves that were hung up one by one since the tree was built.
@@ -82,31 +84,47 @@ impl DynamicTree {
     }
 
     /// Catches up with all changes if a query would look at too many of them one by one: at a few
-    /// times the root of how many objects there are. So a change costs about O(c / sqrt n) for n
-    /// objects and c candidates.
+    /// times the root of how many objects there are. So a change costs about O(sqrt n) for n
+    /// objects: candidates are forgotten.
     pub(crate) fn keep_up(&mut self) {
         let [changed, all] = [self.roster.stale().len(), self.roster.len() as usize];
         if changed > BACKLOG_MAX && changed * changed / 16 > all {
-            self.settle();
+            self.catch_up();
+            self.is_listed = false;
+            self.candidates.clear();
+            self.roster.settle();
         }
     }
 
-    /// Catches up with all changes.
+    /// Catches up with all changes, and lists the candidates.
     fn settle(&mut self) {
-        let [changed, all] = [self.roster.stale().len(), self.roster.len() as usize];
-        if changed == 0 {
-            return;
+        if !self.roster.stale().is_empty() {
+            let is_rehung = self.catch_up();
+            self.is_listed &= is_rehung;
+            if self.is_listed {
+                self.list_changed();
+            }
+            self.roster.settle();
         }
-        let are_many = changed * 8 >= all || self.hung as usize + changed > all;
-        if are_many || !self.rehang() {
+        if !self.is_listed {
+            self.list();
+        }
+    }
+
+    /// Catches up with all changes but in the candidates; whether leaves were hung up one by one.
+    fn catch_up(&mut self) -> bool {
+        let [changed, all] = [self.roster.stale().len(), self.roster.len() as usize];
+        let are_few = changed * 8 < all && self.hung as usize + changed <= all;
+        let is_rehung = are_few && self.rehang();
+        if !is_rehung {
             self.rebuild();
         }
-        self.roster.settle();
+        is_rehung
     }
 
-    /// Gives every object a new fat box, and builds the tree and the candidates from them.
+    /// Gives every object a new fat box, and builds the tree from them.
     fn rebuild(&mut self) {
-        let Self { roster, fat, motions, tree, candidates, work, .. } = self;
+        let Self { roster, fat, motions, tree, work, .. } = self;
         self.origin = middle_of(roster);
         self.hung = 0;
         work.leaves.clear();
@@ -116,15 +134,11 @@ impl DynamicTree {
             work.leaves.push(Leaf { bounds: Coarse::new(&bounds, self.origin), id });
         }
         tree.build(roster.slots(), &mut work.leaves);
-        candidates.clear();
-        tree.meet(&mut work.stacks, |a, b| candidates.push([a.min(b), a.max(b)]));
-        candidates.sort_unstable();
     }
 
-    /// Hangs up the stale objects anew, and finds their candidates anew; gives up if the tree
-    /// becomes too deep.
+    /// Hangs up the stale objects anew; gives up if the tree becomes too deep.
     fn rehang(&mut self) -> bool {
-        let Self { roster, fat, motions, tree, candidates, work, .. } = self;
+        let Self { roster, fat, motions, tree, .. } = self;
         tree.places.resize(roster.slots(), Place::NOWHERE);
         for &id in roster.stale() {
             tree.remove(id);
@@ -137,6 +151,21 @@ impl DynamicTree {
                 }
             }
         }
+        true
+    }
+
+    /// Finds all candidates.
+    fn list(&mut self) {
+        let Self { tree, candidates, work, .. } = self;
+        candidates.clear();
+        tree.meet(&mut work.stacks, |a, b| candidates.push([a.min(b), a.max(b)]));
+        candidates.sort_unstable();
+        self.is_listed = true;
+    }
+
+    /// Finds those of the stale objects anew.
+    fn list_changed(&mut self) {
+        let Self { roster, fat, tree, candidates, work, .. } = self;
         candidates.retain(|&[a, b]| !roster.is_stale(a) && !roster.is_stale(b));
         work.new.clear();
         for &a in roster.stale().iter().filter(|&&id| roster.contains(id)) {
@@ -150,7 +179,6 @@ impl DynamicTree {
         }
         work.new.sort_unstable();
         merge(candidates, &work.new);
-        true
     }
 }
 
@@ -279,6 +307,9 @@ impl Partition for DynamicTree {
         let lives = |&id: &u32| self.roster.contains(id) || self.roster.is_stale(id);
         if !self.candidates.iter().all(|pair| pair[0] < pair[1] && pair.iter().all(lives)) {
             return Err("dynamic tree: a candidate that is not two objects");
+        }
+        if !self.is_listed {
+            return Ok(());
         }
         let mut wanted = Vec::new();
         for a in self.roster.ids().filter(settled) {
