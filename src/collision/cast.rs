@@ -55,10 +55,10 @@ const PARTS_MAX: u32 = 64;
 /// When A, moving by `motion` in metres without turning, first touches B, which rests; `None` if it
 /// does not. O(n) for each of a few steps.
 ///
-/// No touch is missed or told too late. What passes by at a few units of the last place may be
-/// taken for a touch. Times are told to 2^-30 of the way, and so is where A is then: at the end of
-/// a way of 1,000 km it may be 1 mm short of the touch. Components of the motion beyond 2^37 m,
-/// twice what a world reaches, are taken for that.
+/// No touch is missed or told too late. What passes by at a few units of the last place, or at
+/// 2^-30 of the way, may be taken for a touch. Times are told to 2^-30 of the way, and so is where
+/// A is then: at the end of a way of 1,000 km it may be 1 mm short of the touch. Components of the
+/// motion beyond 2^37 m, twice what a world reaches, are taken for that.
 ///
 /// ```
 /// use verlock::collision::cast;
@@ -133,14 +133,25 @@ fn earlier(best: Option<Cast>, next: Option<Cast>) -> Option<Cast> {
     if rank(second) < rank(first) { next } else { best }
 }
 
+/// Shapes are no farther apart than that along any axis when a cast ends that touches. It ends
+/// early by what the rounded length of a normal makes of their extents, 2^-30 of less than 2^43
+/// raw, by about 2^-30 of the way, and by a few units.
+pub(super) fn early_max(motion: Vec3) -> Real {
+    Real::from_raw((1 << 16) + (longest(motion) >> 28).cast_signed())
+}
+
+fn longest(motion: Vec3) -> u64 {
+    motion.raw().map(i64::unsigned_abs).into_iter().max().unwrap_or(0)
+}
+
 /// As `of_convex`, with every face of a surface that rests: those near a part of the way after
 /// those near the parts before, until one is touched.
 ///
 /// A limit changes nothing that is found before it: it ends the search only where it is before a
-/// part begins, and what is touched by then, if early by a rounding, is near the parts before.
+/// part begins, and what is touched by then, if [early](early_max), is near the parts before.
 fn onto_skin(a: &Core, motion: Vec3, b: Skin, until: Unit) -> Option<Cast> {
     let bounds = a.bounds();
-    let longest = motion.raw().map(i64::unsigned_abs).into_iter().max().unwrap_or(0);
+    let longest = longest(motion);
     // Parts are about as long as the shape, or as a small part of the surface.
     let length = bounds.span().max(b.bounds().span() / u64::from(PARTS_MAX)).max(1);
     let parts = (longest / length).clamp(1, PARTS_MAX.into()) as u32; // at most PARTS_MAX
@@ -152,13 +163,13 @@ fn onto_skin(a: &Core, motion: Vec3, b: Skin, until: Unit) -> Option<Cast> {
         let way = part_of(motion, time);
         Aabb::new(bounds.min() + way, bounds.max() + way)
     };
+    let early = early_max(motion);
     let mut faces = Vec::new();
     let mut best: Option<Cast> = None;
     for part in (0..parts).take_while(|&part| time(part) <= until) {
         let end = time(part + 1);
         let swept = place(time(part)).union(place(end));
-        // A unit more, as places are rounded.
-        b.faces_near(&grown(&swept, Real::ULP), &mut faces);
+        b.faces_near(&grown(&swept, early), &mut faces);
         for &face in &faces {
             let until = best.map_or(until, |best| best.time);
             let next = of_convex(a, motion, &b.triangle(face).into(), until);

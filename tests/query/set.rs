@@ -1,12 +1,15 @@
 //! Sets of colliders, against asking them one by one.
 
+use std::sync::Arc;
+
 use verlock::Vec3;
 use verlock::collision::{
-    Cast, Collider, ColliderError, ColliderId, Colliders, Filter, Layers, Shape, cast,
+    Cast, Collider, ColliderError, ColliderId, Colliders, Filter, Layers, MeshShape, Shape, cast,
     cast_segment, closest_points, overlap,
 };
-use verlock::geometry::{HalfSpace, Segment, Sphere};
+use verlock::geometry::{HalfSpace, Segment, Sphere, TriangleMesh};
 use verlock::math::{Pcg, Real, UnitVec3};
+use verlock::real;
 use verlock::store::Handle;
 
 use super::{Draw, KINDS};
@@ -258,4 +261,47 @@ fn what_is_out_of_range_is_refused() {
     assert_eq!(set.set_shape(id, beyond), Err(ColliderError::OutOfRange));
     assert_eq!(set.overlaps(&beyond.into(), &Filter::ALL), [id]);
     assert_eq!(ColliderError::OutOfRange.to_string(), "collider is out of range");
+}
+
+/// All at one place may touch, but nobody asked for the pairs.
+#[test]
+fn many_may_be_at_one_place() {
+    let mut set = Colliders::new();
+    let ball = Sphere::new(Vec3::ZERO, real!("1")).expect("legal");
+    for _ in 0..5000 {
+        set.insert(ball.into()).expect("room");
+    }
+    let up = Segment::new([Vec3::ZERO, Vec3::Y]).expect("in range");
+    let first = set.iter().next().map(|(id, _)| id);
+    assert_eq!(set.cast_segment_first(&up, &Filter::ALL).map(|hit| hit.0), first);
+}
+
+/// Of two hits at a time the first counts, also where a mesh is searched part by part, and large
+/// balls are told to touch a little early.
+#[test]
+fn ties_are_told_early_too() {
+    let raw = |x: i64, y: i64, z: i64| Vec3::from_raw([x, y, z]);
+    let wall = |x: i64| {
+        let [low, high] = [-1 << 39, 1 << 40];
+        [raw(x, low, low), raw(x, high, low), raw(x, low, high)]
+    };
+    let radius = Real::from_raw(32_768 << 24);
+    let ball: Shape = Sphere::new(Vec3::ZERO, radius).expect("legal").into();
+    for off in [0, 1, 500, 1023] {
+        let x = (1 << 39) + (1 << 40) + off;
+        let aside = wall(1 << 38).map(|p| p + raw(0, 1 << 42, 0));
+        let mesh = |faces: &[[Vec3; 3]]| {
+            let corners = faces.iter().flatten().copied();
+            let names = (0..faces.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]);
+            MeshShape::new(Arc::new(TriangleMesh::new(corners, names).expect("a mesh")))
+        };
+        let mut set = Colliders::new();
+        for faces in [&[wall(x)][..], &[wall(x), aside]] {
+            set.insert(mesh(faces).into()).expect("in range");
+        }
+        let motion = raw(1 << 41, 0, 0);
+        let all = set.cast(&ball, motion, &Filter::ALL);
+        assert_eq!(set.cast_first(&ball, motion, &Filter::ALL), all.first().copied(), "{off}");
+        assert_eq!(all.len(), 2);
+    }
 }

@@ -4,16 +4,11 @@ use alloc::vec::Vec;
 
 use super::query::shifted;
 use super::{ColliderId, Colliders, Filter};
-use crate::collision::cast::{cast_segment_until, cast_until};
+use crate::collision::cast::{cast_segment_until, cast_until, early_max};
 use crate::collision::distance::grown;
 use crate::collision::{Cast, Shape};
 use crate::geometry::{Aabb, Segment};
-use crate::math::{Real, Unit, Vec3};
-
-/// Boxes are farther apart than that when a cast of what is in them ends. A cast ends before shapes
-/// touch by what the rounded length of a normal makes of their extents, 2^-30 of less than 2^43
-/// raw, and a few units.
-const EARLY_MAX: Real = Real::from_raw(1 << 16);
+use crate::math::{Unit, Vec3};
 
 impl Colliders {
     /// What a shape touches first, moving by `motion` in metres without turning: what
@@ -75,8 +70,9 @@ impl Colliders {
         cast: impl Fn(&Shape, Unit) -> Option<Cast>,
     ) -> Option<(ColliderId, Cast)> {
         let region = bounds.map(|bounds| bounds.union(shifted(&bounds, motion)));
+        let early = early_max(motion);
         let reached = |other: &Shape| match (bounds, other.bounds()) {
-            (Some(bounds), Some(other)) => arrival(&bounds, motion, &grown(&other, EARLY_MAX)),
+            (Some(bounds), Some(other)) => arrival(&bounds, motion, &grown(&other, early)),
             _ => Unit::ZERO,
         };
         let near = self.near(region, filter);
