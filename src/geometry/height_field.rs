@@ -11,8 +11,8 @@ use crate::store::{Hash, Hasher};
 
 /// Ground whose height is given at the points of a grid along x and z; what is below is inside.
 ///
-/// It has no floor, and so no way out from any depth: what has gone below it as a whole, farther
-/// than it is thick itself, gets no contact. What is fast is kept above by a
+/// It has no floor, and so no way out from any depth: what has gone below it as a whole gets no
+/// contact, or none that leads it out. What is fast is kept above by a
 /// [cast](crate::collision::cast).
 ///
 /// Vertex `row * columns + column` stands `column` steps along x and `row` steps along z from the

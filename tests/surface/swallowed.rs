@@ -195,3 +195,66 @@ fn a_pebble_within_bars_no_way() {
     let [manifold] = manifolds.as_slice() else { panic!("{manifolds:?}") };
     assert_eq!(manifold.normal, -UnitVec3::Y);
 }
+
+/// Boxes that go through walls get out too, and no push leads one that does into the solid.
+#[test]
+fn what_goes_through_walls_of_a_pit_gets_out() {
+    let pit = Solid::pit().shape();
+    let surface: Shape = pit.clone().into();
+    let mut rng = Pcg::new(32, 0);
+    let (mut count, mut steps) = (0, 0);
+    while count < 60 {
+        let center = [number(&mut rng), 9.0 * number(&mut rng), number(&mut rng)];
+        let half = [(); 3].map(|()| 0.05 + 0.2 * number(&mut rng).abs());
+        let mut body = cuboid(center, half);
+        if !overlap(&body, &surface) {
+            continue;
+        }
+        let first = body.clone();
+        count += 1;
+        for pushes in 0.. {
+            if is_out(&body, &pit) {
+                break;
+            }
+            assert!(pushes < PUSHES_MAX, "{first:?} has come to {body:?}");
+            body = pushed(&body, &found(&body, &surface)).unwrap_or_else(|| panic!("{body:?}"));
+            assert!(overlap(&body, &surface) || is_out(&body, &pit), "{first:?} went into it");
+            steps += 1;
+        }
+    }
+    assert!(steps < 2 * count, "{steps} pushes of {count}");
+}
+
+/// A box in the walls of a room, whose corner is cut out of the middle of a face: no edge of the
+/// box tells that its corners are in the walls.
+#[test]
+fn what_has_a_hole_cut_by_a_corner_is_deep() {
+    let room = Solid::cubes([2, 2, 2], 1, |c| c != [1, 1, 1]).shape();
+    let surface: Shape = room.clone().into();
+    // Towards the room, and across: the diagonal of a face runs beside the corner.
+    let (diagonal, across) = (1.0 / 3.0_f64.sqrt(), 1.0 / 2.0_f64.sqrt());
+    for past in [0.005, 0.02, 0.04] {
+        let way = [diagonal; 3];
+        let sides = [[across, -across, 0.0], [1.0, 1.0, -2.0].map(|c| c / 6.0_f64.sqrt())];
+        let center = [0, 1, 2].map(|k| 1.0 + (past - 0.2) * way[k] + 0.08 * sides[1][k]);
+        let edges = [way, sides[0], sides[1]].map(|edge| fixed(edge.map(|c| 0.2 * c)));
+        let body: Shape = Cuboid::new(fixed(center), edges).expect("a box").into();
+        assert!(points(&body).into_iter().all(|point| room.contains(point)));
+        let manifolds = found(&body, &surface);
+        let deepest = manifolds.iter().map(Manifold::separation).min();
+        assert!(deepest < Some(real!("-0.2")), "{past}: {manifolds:?}");
+        let body = pushed(&body, &manifolds).expect("a way");
+        assert!(is_out(&body, &room), "{past}: {manifolds:?}");
+    }
+}
+
+/// What is inside just below the surface is led all of the way out.
+#[test]
+fn what_is_just_inside_is_led_out() {
+    let solid: Shape = Solid::cuboid([-5.0; 3], [5.0; 3]).shape().into();
+    for below in [0.0001, 0.0019, 0.0025] {
+        let body = Solid::cuboid([-0.5, 4.0 - below, -0.5], [0.5, 5.0 - below, 0.5]).shape();
+        let deepest = found(&body.into(), &solid).iter().map(Manifold::separation).min();
+        assert!(deepest < Some(real!("-1")), "{below}: {deepest:?}");
+    }
+}

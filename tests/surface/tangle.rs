@@ -325,3 +325,18 @@ fn features_are_unique() {
         }
     }
 }
+
+/// Neither is the first, where both have the same box.
+#[test]
+fn what_has_the_same_box_parts_the_same_way_exchanged() {
+    let low: Shape = Solid::cubes([3, 3, 3], 1, |c| c[0] == 0 || c[1] == 0).shape().into();
+    let high: Shape = Solid::cubes([3, 3, 3], 1, |c| c[0] == 2 || c[1] == 2).shape().into();
+    assert_eq!(low.bounds(), high.bounds());
+    let deepest = |a: &Shape, b: &Shape| {
+        let mut manifolds = Vec::new();
+        collide(a, b, MARGIN, &mut manifolds);
+        manifolds.iter().map(|m| m.separation().raw()).min().expect("they overlap")
+    };
+    let (there, back) = (deepest(&low, &high), deepest(&high, &low));
+    assert!(there < 0 && (there - back).abs() <= TIE.raw(), "{there} {back}");
+}

@@ -91,6 +91,7 @@ fn odd_meshes_have_features() {
     let shared = fan.sides(0)[0];
     assert_eq!(fan.faces_at_edge(shared).collect::<Vec<_>>(), [0, 1, 2]);
     assert_eq!(fan.faces_at_vertex(5).count(), 0);
+    assert_eq!(fan.bounds().max(), Vec3::from_ints(4, 16, 64), "of faces");
     let line = mesh(&[[3, 2, 2], [5, 5, 5], [2, 3, 4]]);
     assert_eq!(line.ends(line.sides(0)[0]), [2, 3]);
     assert_eq!(line.ends(line.sides(0)[2]), [2, 3]);

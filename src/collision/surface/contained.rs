@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::contains::is_within;
+use super::contains::{is_inside, is_within};
 use super::exit::Exit;
 use super::proximity::scaled;
 use super::shell::{Shell, is_free};
@@ -46,7 +46,8 @@ fn part<A: Surface, B: Surface>(
     face: u32,
 ) -> Option<(UnitVec3, Vec<Contact>)> {
     let start = inner.position(inner.corners(face)[0]);
-    if !is_within(outer, start) {
+    // What is on the other surface may be outside.
+    if !is_inside(outer, start) {
         return None;
     }
     let shell = Shell::of(inner, &[face]);

@@ -24,6 +24,9 @@ pub(super) struct Exit {
 /// So many places are tried, before the box around the surface.
 pub(super) const TRIES_MAX: usize = 16;
 
+/// Of so many the depth is looked at.
+const LOOKS_MAX: usize = 256;
+
 impl Exit {
     /// Of a contact of something inside.
     pub(super) fn of_contact(Proximity { normal, contact }: &Proximity) -> Self {
@@ -36,8 +39,9 @@ impl Exit {
     }
 
     /// The way out of a closed one-sided surface for what is in a box, of which a point is inside:
-    /// through a place behind which this point is. Of the first 16, from near to far, the one that
-    /// `leads_out` and has the least `depth`; if none does, or none as shallow as the way out of
+    /// through a place behind which this point is. Of the first 256, from near to far, and 16 of
+    /// them that are shallower than those before, the one that `leads_out` and has the least
+    /// `depth`; if none does, or none as shallow as the way out of
     /// the box around the surface, it is that way. `None` if the point is behind no place within
     /// [`REACH_MAX`].
     ///
@@ -53,7 +57,7 @@ impl Exit {
         let bounds = surface.bounds();
         let (mut least, outward, place) = out_of(&bounds, body);
         let mut reach = Real::from_raw(least.raw() >> 6).clamp(DEPTH_MAX, REACH_MAX);
-        let (mut seen, mut tries) = (Real::ZERO, 0);
+        let (mut seen, mut tries, mut looks) = (Real::ZERO, 0, 0);
         let mut best: Option<Self> = None;
         loop {
             let around = grown(&Aabb::of_point(point), reach);
@@ -62,15 +66,19 @@ impl Exit {
             let feet = feet.of_inside(surface, point, faces.iter(), reach).iter();
             for exit in feet.filter(|foot| -foot.separation > seen).map(Self::of_foot) {
                 let way = best.get_or_insert(Self { outward, place, ..exit });
+                looks += 1;
+                if tries == TRIES_MAX || looks > LOOKS_MAX {
+                    return best;
+                }
                 let depth = depth(&exit);
-                if tries < TRIES_MAX && depth <= least {
+                if depth <= least {
                     tries += 1;
                     if leads_out(&exit) {
                         (*way, least) = (exit, depth - Real::ULP);
                     }
                 }
             }
-            let is_done = best.is_some() && (tries == TRIES_MAX || reach >= least);
+            let is_done = best.is_some() && reach >= least;
             if is_done || reach == REACH_MAX || around.contains(&bounds) {
                 return best;
             }

@@ -25,13 +25,14 @@ use crate::math::{Real, Vec3};
 /// a face where they intersect, or the one that lessens the common volume fastest. What has no
 /// inside is pushed out to the side from which it is the shorter way. Where one has gone right
 /// through the other, it is the shortest way that parts them as wholes, if that is farther than
-/// needed too. O(k log k) for k faces near one another and all vertices inside, and O(n) for all n
-/// faces if nothing near is a way out of some part.
+/// needed too. O(k log k) for k faces near one another and all vertices inside, and for all n
+/// faces O(n log n) for each part that nothing near is a way out of.
 ///
-/// If they do not touch, each shell of one, which is what hangs together, that is inside the other,
-/// which is closed and one-sided, is pushed out as a whole: through the nearest place that leaves
-/// it free, or out of the box around the other. That is O(log n) for each shell, and for each that
-/// is inside O(n log n) for all n faces and each place that is tried, 16 at most.
+/// If they do not intersect, each shell of one, which is what hangs together, that is inside the
+/// other, which is closed and one-sided, is pushed out as a whole: through the nearest place that
+/// leaves it free, or out of the box around the other. That is O(log n) for each shell, and for
+/// each that is inside O(n log n) for all n faces and each place that is tried, 16 at most, and
+/// O(n) for each that is looked at, 256 at most.
 pub fn manifolds_mesh_mesh(a: &MeshShape, b: &MeshShape, margin: Real, out: &mut Vec<Manifold>) {
     let mut pairs = Vec::new();
     a.tree().near_pairs(b.tree(), reach(margin), &mut pairs);
@@ -146,15 +147,14 @@ fn of_pairs<A: Surface, B: Surface>(
     name: impl Fn(FeatureId) -> FeatureId,
     out: &mut Vec<Manifold>,
 ) {
-    let (mut found, mut parts) = (Vec::new(), Vec::new());
+    let (mut found, mut parts, mut crosses) = (Vec::new(), Vec::new(), false);
     if !pairs.is_empty() {
         found = NearSurfaces::new(a, b, pairs, margin).proximities();
         let tangle = Tangle::new((a, b), pairs, &found);
         found.retain(|proximity| !tangle.covers(proximity));
-        parts = tangle.parts;
+        (parts, crosses) = (tangle.parts, tangle.crosses);
     }
-    let is_apart = |proximity: &Proximity| proximity.contact.separation > Real::ZERO;
-    if parts.is_empty() && found.iter().all(is_apart) {
+    if parts.is_empty() && !crosses {
         parts = contained(a, b);
         // What leads it deeper is no contact before it is out.
         let leads = |one: &Proximity| !parts.iter().any(|part| is_against(one.normal, part.0));

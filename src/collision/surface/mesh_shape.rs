@@ -28,7 +28,7 @@ impl MeshShape {
     pub fn new(mesh: Arc<TriangleMesh>) -> Self {
         let features = Arc::new(Features::new(&mesh));
         let vertices = mesh.vertices().to_vec();
-        let bounds = bounds(&vertices);
+        let bounds = bounds(&features, &vertices);
         let thickness = Real::ZERO;
         Self { features, tree: Bvh::new(mesh), vertices, bounds, thickness, is_two_sided: false }
     }
@@ -65,7 +65,7 @@ impl MeshShape {
     pub fn move_to(&mut self, positions: &[Vec3]) -> Result<(), RefitError> {
         self.tree.refit(positions)?;
         self.vertices.copy_from_slice(positions);
-        self.bounds = bounds(positions);
+        self.bounds = bounds(&self.features, positions);
         Ok(())
     }
 
@@ -107,13 +107,15 @@ impl MeshShape {
     }
 }
 
-/// The box around all vertices; a mesh has some.
-fn bounds(vertices: &[Vec3]) -> Aabb {
-    Aabb::around(vertices.iter().copied()).unwrap_or(Aabb::of_point(Vec3::ZERO))
+/// The box around all vertices of faces; a mesh has some.
+fn bounds(features: &Features, vertices: &[Vec3]) -> Aabb {
+    let of_faces =
+        (0..).zip(vertices).filter(|&(vertex, _)| !features.at_vertex(vertex).is_empty());
+    Aabb::around(of_faces.map(|(_, &point)| point)).unwrap_or(Aabb::of_point(Vec3::ZERO))
 }
 
 impl Surface for MeshShape {
-    /// The box around all vertices, those of no face included. O(1).
+    /// The box around all faces. O(1).
     fn bounds(&self) -> Aabb {
         self.bounds
     }

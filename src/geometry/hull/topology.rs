@@ -74,8 +74,8 @@ impl HullTopology {
     }
 
     /// For every face the three of its corners with the greatest area between them, in its order;
-    /// of several such the first. Of more than 64 corners only 64, evenly spaced, are looked at.
-    /// Its normal is theirs.
+    /// of several such the first. Of more than 64 corners only 64, evenly spaced, and up to
+    /// three that are far apart are looked at. Its normal is theirs.
     #[inline]
     #[must_use]
     pub fn widest_corners(&self) -> &[[u32; 3]] {

@@ -8,10 +8,11 @@ use super::groups::Groups;
 use super::inside::inside;
 use super::view::View;
 use super::way::{Way, length, reach};
+use crate::collision::surface::feet::normal_of;
 use crate::collision::surface::proximity::scaled;
 use crate::collision::{Contact, FeatureId, FeatureKind};
 use crate::geometry::{Aabb, Surface};
-use crate::math::wide::sub;
+use crate::math::wide::{dot_wide, sub};
 use crate::math::{UnitVec3, Vec3};
 
 /// Lines and vertices that are joined.
@@ -142,6 +143,29 @@ impl Component {
         let area = magnitude(self.area);
         let is_through = area * 8 < self.largest || area < self.length * 16;
         if is_through { None } else { UnitVec3::normalize_wide(self.area) }
+    }
+
+    /// Whether one surface has vertices inside to which none of its edges leads from here: where a
+    /// hollow of the other cuts a hole into a face, what is around the hole is inside. `normal` is
+    /// the direction of the area.
+    pub(super) fn hides<A: Surface, B: Surface>(
+        &self,
+        (a, b): (&View<A>, &View<B>),
+        normal: UnitVec3,
+    ) -> bool {
+        let [of_a, of_b] = &self.rims;
+        // What cuts a hole that is inside leads B against the normal of its face.
+        let along = |outward: UnitVec3| dot_wide(outward.raw(), normal.raw());
+        let is_around_a = |&face: &u32| normal_of(a, face).is_some_and(|n| along(n) < 0);
+        let is_around_b = |&face: &u32| normal_of(b, face).is_some_and(|n| along(n) > 0);
+        self.is_cut_in_faces(0) && of_a.iter().all(is_around_a)
+            || self.is_cut_in_faces(1) && of_b.iter().all(is_around_b)
+    }
+
+    /// Whether no edge of A (0) or of B (1) goes in or out, and no vertex is inside.
+    fn is_cut_in_faces(&self, k: usize) -> bool {
+        let is_face = |knot: &Knot| knot.features[k].kind() == FeatureKind::Face;
+        self.inside[k].is_empty() && self.knots.iter().all(is_face)
     }
 
     /// Where a knot is on A, and where on B.

@@ -16,6 +16,7 @@ mod component;
 mod contour;
 mod groups;
 mod inside;
+mod told;
 mod view;
 mod way;
 mod wholes;
@@ -32,6 +33,7 @@ use crate::math::{Real, UnitVec3, Vec3};
 use component::{Component, components};
 use contour::Contour;
 use groups::Groups;
+use told::Told;
 use view::View;
 use way::{Way, way_out};
 use wholes::Wholes;
@@ -48,6 +50,8 @@ pub(super) struct Tangle {
     pub(super) parts: Vec<(UnitVec3, Vec<Contact>)>,
     /// Sorted, as pairs of which and what: 0 for A, 1 for B.
     drowned: Vec<(u32, FeatureId)>,
+    /// Whether they intersect in lines.
+    pub(super) crosses: bool,
 }
 
 impl Tangle {
@@ -62,13 +66,14 @@ impl Tangle {
         let (a, mut b) = (View::new(a), View::new(b));
         let mut contour = Contour::new(&a, &b, pairs);
         if contour.is_degenerate {
-            b.shift = shift(&a.bounds(), &b.bounds());
+            b.shift = shift(&a, &b, pairs);
             contour = Contour::new(&a, &b, pairs);
         }
+        tangle.crosses = !contour.links.is_empty();
+        let told = Told::of(proximities);
         for (component, way) in parts(a, b, &contour) {
             let own = component.features();
-            let told = |p: &Proximity| p.contact.separation <= Real::ZERO && holds(&own, p);
-            if way.depth > DEPTH_MAX || !proximities.iter().any(told) {
+            if way.depth > DEPTH_MAX || !told.tell_of(&own) {
                 tangle.parts.push((way.normal, component.contacts(&way)));
                 tangle.drowned.extend(own);
             }
@@ -83,16 +88,24 @@ impl Tangle {
     }
 }
 
-/// How far B is looked at beside where it is: the opposite if the surfaces are exchanged. Nothing,
-/// where that is out of range.
+/// How far B is looked at beside where it is: the opposite if the surfaces are exchanged, unless
+/// both are alike there. Nothing, where that is out of range.
 ///
 /// It is within no plane whose normal is three whole numbers up to 3: those in which the surfaces
 /// of what stands on a grid lie.
-fn shift(a: &Aabb, b: &Aabb) -> Vec3 {
+fn shift<A: Surface, B: Surface>(a: &A, b: &B, pairs: &[[u32; 2]]) -> Vec3 {
     let corners = |bounds: &Aabb| [bounds.min(), bounds.max()];
-    let sign = if corners(a) < corners(b) { 1 } else { -1 };
+    let ends = [corners(&a.bounds()), corners(&b.bounds())];
+    let is_first = if ends[0] == ends[1] {
+        let of_a = pairs.iter().map(|&[face, _]| *a.triangle(face).corners());
+        let of_b = pairs.iter().map(|&[_, face]| *b.triangle(face).corners());
+        of_a.min() < of_b.min()
+    } else {
+        ends[0] < ends[1]
+    };
+    let sign = if is_first { 1 } else { -1 };
     let shift = Vec3::from_raw(SHIFT.map(|c| sign * c));
-    let is_possible = corners(b).into_iter().all(|corner| is_in_range(corner + shift));
+    let is_possible = ends[1].into_iter().all(|corner| is_in_range(corner + shift));
     if is_possible { shift } else { Vec3::ZERO }
 }
 
@@ -107,7 +120,8 @@ fn parts<A: Surface, B: Surface>(
 ) -> Vec<(Component, Way)> {
     let mut groups = Groups::new(contour.knots.len());
     let mut found = Vec::new();
-    let (mut wholes_a, mut wholes_b) = (Wholes::new(a), Wholes::new(b));
+    let mut wholes_a = Wholes::new(a);
+    let mut wholes_b = Wholes::new(View { shift: Vec3::ZERO, ..b });
     for turns in 0..4 {
         let [turn_a, turn_b] = [turns & 1 == 1, turns & 2 == 2];
         if contour.links.is_empty() || turn_a && !a.is_two_sided() || turn_b && !b.is_two_sided() {

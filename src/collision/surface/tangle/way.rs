@@ -7,12 +7,13 @@ use super::component::Component;
 use super::view::View;
 use super::wholes::Wholes;
 use crate::collision::surface::DEPTH_MAX;
+use crate::collision::surface::contains::is_within;
 use crate::collision::surface::feet::normal_of;
 use crate::collision::surface::manifolds::grown;
 use crate::collision::surface::proximity::scaled;
 use crate::collision::surface::shell::is_free;
 use crate::geometry::Surface;
-use crate::math::wide::{dot_wide, round_shift_wide, sub, to_i64};
+use crate::math::wide::{add, dot_wide, round_shift_wide, sub, to_i64};
 use crate::math::{Real, UnitVec3, Vec3};
 
 /// The direction in which to move B, and how far.
@@ -56,36 +57,38 @@ fn rank(normal: UnitVec3) -> UnitVec3 {
 /// the nearest to the area.
 ///
 /// Where that is no farther than [`DEPTH_MAX`] along the area, no other is looked for: as a rule
-/// something rests there, on a floor or in a corner.
+/// something rests there.
 ///
 /// If none frees any, it is the shortest that parts all that hangs together with the component:
 /// along the area, such a normal, or an axis. That may be farther than needed: if it is more than
 /// twice as far as the component reaches along the area, it is along the area, which frees a part
-/// at least.
+/// at least, unless the component [hides](Component::hides) what is inside.
 pub(super) fn way_out<A: Surface, B: Surface>(
     (a, b): (&View<A>, &View<B>),
     component: &Component,
     wholes: (&mut Wholes<A>, &mut Wholes<B>),
 ) -> Way {
     let area = component.normal();
-    let along_area = area.map(|area| component.way(area));
+    let hides = area.is_some_and(|area| component.hides((a, b), area));
+    let along_area = area.filter(|_| !hides).map(|area| component.way(area));
     if let Some(way) = along_area.filter(|way| way.depth <= DEPTH_MAX) {
         return way;
     }
     let bounds = component.bounds();
     let (mut of_a, mut of_b) = (Vec::new(), Vec::new());
     // What is farther away than a surface is moved does not belong to this part.
+    let sinks = |way: &Way| {
+        let out = beyond(way.normal, way.depth);
+        let [rim_a, rim_b] = &component.rims;
+        leads_into(a, (b, rim_b), out) || leads_into(b, (a, rim_a), out.map(|c| -c))
+    };
     let mut frees = |way: &Way| {
         let around = grown(&bounds, way.depth);
         let out = beyond(way.normal, way.depth);
         b.faces_near(&around, &mut of_b);
         a.faces_near(&around, &mut of_a);
-        is_free((b, &of_b), out, a) || is_free((a, &of_a), out.map(|c| -c), b)
+        !sinks(way) && (is_free((b, &of_b), out, a) || is_free((a, &of_a), out.map(|c| -c), b))
     };
-    let sooner = along_area.map(|way| Way { depth: DEPTH_MAX, levels: None, ..way });
-    if let Some(way) = sooner.filter(&mut frees) {
-        return way;
-    }
     let along = |normal: &UnitVec3| area.map_or(0, |area| dot_wide(area.raw(), normal.raw()));
     let mut normals = Vec::new();
     for (k, faces) in component.rims.iter().enumerate() {
@@ -108,8 +111,22 @@ pub(super) fn way_out<A: Surface, B: Surface>(
     normals.extend(area);
     let apart = apart(wholes, component, &normals);
     // Below 2^62.
-    let is_near = |way: &Way| way.depth.raw() < apart.depth.raw() / 2;
+    let is_near = |way: &Way| way.depth.raw() < apart.depth.raw() / 2 && !sinks(way);
     along_area.filter(is_near).unwrap_or(apart)
+}
+
+/// Whether a way leads what has such faces into a closed one-sided surface, where it would meet
+/// nothing either.
+fn leads_into<S: Surface, T: Surface>(
+    solid: &S,
+    (surface, rim): (&T, &[u32]),
+    way: [i64; 3],
+) -> bool {
+    let is_solid = solid.is_closed() && !solid.is_two_sided();
+    let corner = rim.first().map(|&face| surface.position(surface.corners(face)[0]));
+    // Corners are within 2^60 and move by less than 2^62.
+    let moved = corner.map(|corner| Vec3::from_raw(add(corner.raw(), way)));
+    is_solid && moved.is_some_and(|moved| is_within(solid, moved))
 }
 
 /// A way that frees, cut short where surfaces are hollow, as in a corner, and come apart sooner
