@@ -57,9 +57,10 @@ pub struct DynamicTree {
     tree: Tree,
     /// What coarse boxes are seen from.
     origin: Vec3,
-    /// All pairs of leaves whose coarse boxes touch, sorted. Some may be gone from the tree.
+    /// If listed, all pairs of leaves whose coarse boxes touch, sorted. Some may be gone from the
+    /// tree.
     candidates: Vec<Pair>,
-    /// Whether there are candidates: they are not listed before pairs are asked for.
+    /// Whether the candidates are those of the tree: they are not before pairs are asked for.
     is_listed: bool,
     /// Room for as many pairs as there are candidates.
     pairs: Vec<Pair>,
@@ -85,7 +86,7 @@ impl DynamicTree {
 
     /// Catches up with all changes if a query would look at too many of them one by one: at a few
     /// times the root of how many objects there are. So a change costs about O(sqrt n) for n
-    /// objects: candidates are forgotten.
+    /// objects, however many touch: candidates are not listed before pairs are asked for.
     pub(crate) fn keep_up(&mut self) {
         let [changed, all] = [self.roster.stale().len(), self.roster.len() as usize];
         if changed > BACKLOG_MAX && changed * changed / 16 > all {
@@ -98,17 +99,17 @@ impl DynamicTree {
 
     /// Catches up with all changes, and lists the candidates.
     fn settle(&mut self) {
-        if !self.roster.stale().is_empty() {
-            let is_rehung = self.catch_up();
-            self.is_listed &= is_rehung;
-            if self.is_listed {
-                self.list_changed();
-            }
-            self.roster.settle();
-        }
         if !self.is_listed {
+            self.rebuild();
+            self.list();
+        } else if self.roster.stale().is_empty() {
+            return;
+        } else if self.catch_up() {
+            self.list_changed();
+        } else {
             self.list();
         }
+        self.roster.settle();
     }
 
     /// Catches up with all changes but in the candidates; whether leaves were hung up one by one.
@@ -154,7 +155,7 @@ impl DynamicTree {
         true
     }
 
-    /// Finds all candidates.
+    /// Finds all candidates; the tree must be just built.
     fn list(&mut self) {
         let Self { tree, candidates, work, .. } = self;
         candidates.clear();
@@ -329,6 +330,7 @@ impl Partition for DynamicTree {
 
 #[cfg(test)]
 mod tests {
+    use super::super::BruteForce;
     use super::*;
 
     fn cube(x: i32) -> Object {
@@ -392,6 +394,7 @@ mod tests {
         }
         assert_eq!(tree.validate(), Ok(()));
         assert!((32..=200).contains(&most), "{most}");
+        assert!(tree.candidates.is_empty());
         let mut found = Vec::new();
         for x in 0..600 {
             let region =
@@ -399,6 +402,28 @@ mod tests {
             tree.query(&region, &mut found);
             let near = |&id: &u32| tree.object(id).is_some_and(|o| o.bounds.overlaps(&region));
             assert_eq!(found, (0..3000).filter(near).collect::<Vec<_>>());
+        }
+    }
+
+    /// Also where nobody asked for them for long, or does now and then.
+    #[test]
+    fn pairs_are_found_after_many_changes() {
+        let mut tree = DynamicTree::new();
+        let mut brute = BruteForce::new();
+        for id in 0..4000 {
+            let object = cube(i32::try_from(id * 7 % 4000).unwrap_or(0));
+            tree.insert(id, object).expect("inserted");
+            brute.insert(id, object).expect("inserted");
+        }
+        for round in 0..4 {
+            assert_eq!(tree.pairs(), brute.pairs());
+            assert_eq!(tree.validate(), Ok(()));
+            for id in 300 * round..300 * (round + 1) {
+                tree.remove(id).expect("removed");
+                brute.remove(id).expect("removed");
+                tree.keep_up();
+            }
+            assert_eq!(tree.validate(), Ok(()));
         }
     }
 
