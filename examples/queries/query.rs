@@ -53,7 +53,7 @@ type Ratio = (BigInt, BigInt);
 /// All queries of a text. An error tells the line, counted from 1.
 pub fn parse(text: &str, kind: Kind) -> Result<Vec<Query>, String> {
     let lines = text.lines().enumerate().map(|(k, line)| {
-        self::line(line).ok_or_else(|| format!("line {}: not seven whole numbers", k + 1))
+        self::line(line).ok_or_else(|| format!("line {}: not x,X,y,Y,z,Z,r", k + 1))
     });
     let lines = lines.collect::<Result<Vec<_>, _>>()?;
     let chunks = lines.chunks(8).enumerate().map(|(k, lines)| {
@@ -165,7 +165,7 @@ mod tests {
         let error = |text: &str| parse(text, Kind::EdgeEdge).err();
         assert_eq!(error(&good), None);
         let none = good.replacen("0,1", "0,0", 1);
-        assert_eq!(error(&none).as_deref(), Some("line 2: not seven whole numbers"));
+        assert_eq!(error(&none).as_deref(), Some("line 2: not x,X,y,Y,z,Z,r"));
         let two = good.replacen(",1\n", ",0\n", 1);
         assert_eq!(error(&two).as_deref(), Some("line 1: not eight lines of one answer"));
         let short = good.lines().take(7).collect::<Vec<_>>().join("\n");
