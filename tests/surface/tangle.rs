@@ -198,7 +198,8 @@ fn corners_are_left_as_soon_as_they_are_free() {
     let faces: Vec<_> = (0..4).chain(5..9).flat_map(side).collect();
     let room = Shape::from(mesh(&vertices, &faces));
     for body in [cuboid([0.0; 3], [1.0; 3]), cube().shape().into()] {
-        for depth in [0.0005, 0.005, 0.05] {
+        let near_free = (700..1800).step_by(4).map(|raw| f64::from(raw) / f64::from(1 << 24));
+        for depth in [0.0005, 0.005, 0.05].into_iter().chain(near_free) {
             let way = [-depth, -depth, 3.3];
             let body = match &body {
                 Shape::Cuboid(_) => cuboid(way, [1.0; 3]),
@@ -339,4 +340,51 @@ fn what_has_the_same_box_parts_the_same_way_exchanged() {
     };
     let (there, back) = (deepest(&low, &high), deepest(&high, &low));
     assert!(there < 0 && (there - back).abs() <= TIE.raw(), "{there} {back}");
+}
+
+/// In a room that is a box turned inside out, free space is where it is solid by its winding.
+#[test]
+fn rooms_may_be_inside_out() {
+    let room: Shape = Solid::cuboid([-5.0; 3], [5.0; 3]).turned().shape().into();
+    for depth in [0.001, 0.003, 0.2] {
+        let crate_in_floor = cuboid([0.3, -5.0 - depth, 0.7], [1.0; 3]);
+        assert_way(&manifolds(&room, &crate_in_floor), [0.0, 1.0, 0.0], depth);
+    }
+}
+
+/// Each end of a plank that lies on two pillars of one mesh is as deep as it is there.
+#[test]
+fn pillars_are_left_one_by_one() {
+    let pillar = |x: f64, y: f64| Solid::cuboid([x, -2.0, -0.5], [x + 0.6, y, 0.5]);
+    let pillars: Shape = pillar(0.0, 0.0).and(pillar(4.0, 0.0)).shape().into();
+    // From 5 mm deep to 100 mm.
+    let slope = 0.095 / 4.6;
+    let along = [2.3, -2.3 * slope, 0.0];
+    let across = [0.1 * slope, 0.1, 0.0];
+    let center = [2.3, 0.1 - 0.0525, 0.0];
+    let plank = Cuboid::new(fixed(center), [along, across, [0.0, 0.0, 0.4]].map(fixed));
+    let found = manifolds(&pillars, &plank.expect("a box").into());
+    let deepest = |is_there: fn(f64) -> bool| {
+        let there = |m: &&Manifold| is_there(float(m.contacts()[0].on_b)[0]);
+        found.iter().filter(there).map(|m| metres(-m.separation())).fold(0.0, f64::max)
+    };
+    let depths = [deepest(|x| x < 2.0), deepest(|x| x > 2.0)];
+    assert!((0.005..0.025).contains(&depths[0]), "{depths:?}");
+    assert!((0.09..0.11).contains(&depths[1]), "{depths:?}");
+}
+
+/// An open sheet that stands on a floor stays there, whichever way it is bent.
+#[test]
+fn bent_sheets_stand_on_floors() {
+    let floor = Shape::from(moved(&Solid::cuboid([-9.0, -1.0, -9.0], [9.0, 0.0, 9.0]), [0.0; 3]));
+    for (bend, low) in [(0.4, -0.001), (-0.4, -0.001), (0.4, -0.0001), (-0.4, -0.0001)] {
+        let corners = [[-1.0, bend], [0.0, 0.0], [1.0, bend]];
+        let at = |y: f64| corners.map(|[x, z]| [x + 5.0, y, z + 0.9]);
+        let vertices = [at(low), at(1.0)].concat();
+        let sheet = mesh(&vertices, &[[0, 1, 3], [3, 1, 4], [1, 2, 4], [4, 2, 5]]);
+        for manifold in manifolds(&floor, &sheet.into()) {
+            let depth = metres(-manifold.separation());
+            assert!(depth < 0.0011, "{bend} {low}: {depth} along {:?}", normal(&manifold));
+        }
+    }
 }

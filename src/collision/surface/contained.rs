@@ -45,12 +45,17 @@ fn part<A: Surface, B: Surface>(
     inner: &B,
     face: u32,
 ) -> Option<(UnitVec3, Vec<Contact>)> {
+    let is_outside = |point: Vec3| !is_within(outer, point);
     let start = inner.position(inner.corners(face)[0]);
-    // What is on the other surface may be outside.
-    if !is_inside(outer, start) {
+    if is_outside(start) {
         return None;
     }
+    // What only touches may be partly outside, or as a whole, with all vertices on the surface.
     let shell = Shell::of(inner, &[face]);
+    let mut points = shell.vertices.iter().map(|&(_, point)| point);
+    if points.clone().any(is_outside) || !points.any(|point| is_inside(outer, point)) {
+        return None;
+    }
     let exit = exit(outer, inner, &shell, start)?;
     let deepest = deepest(&exit, &shell);
     let contacts = shell.vertices.iter().filter_map(|&(vertex, point)| {

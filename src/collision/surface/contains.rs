@@ -34,6 +34,11 @@ pub(super) fn is_inside<S: Surface>(surface: &S, point: Vec3) -> bool {
     winding(surface, point).is_some_and(|turns| turns != 0)
 }
 
+/// Whether a point is inside a closed surface, not on it, and the surface is not inside out there.
+pub(super) fn is_in_solid<S: Surface>(surface: &S, point: Vec3) -> bool {
+    winding(surface, point).is_some_and(|turns| turns > 0)
+}
+
 /// How often a closed surface goes around a point; `None` if the point is on it.
 fn winding<S: Surface>(surface: &S, point: Vec3) -> Option<i32> {
     let (bounds, place) = (surface.bounds(), Aabb::of_point(point));

@@ -39,11 +39,10 @@ impl Exit {
     }
 
     /// The way out of a closed one-sided surface for what is in a box, of which a point is inside:
-    /// through a place behind which this point is. Of the first 256, from near to far, and 16 of
-    /// them that are shallower than those before, the one that `leads_out` and has the least
-    /// `depth`; if none does, or none as shallow as the way out of
-    /// the box around the surface, it is that way. `None` if the point is behind no place within
-    /// [`REACH_MAX`].
+    /// through a place behind which this point is. Of the first 256, from near to far, up to 16 are
+    /// tried: those that are no deeper than the way out of the box around the surface, nor than one
+    /// that was found. It is the one that `leads_out` and has the least `depth`, or else the way
+    /// out of the box. `None` if the point is behind no place within [`REACH_MAX`].
     ///
     /// What is nearest may not lead out: another shell may be there, or not enough room.
     pub(super) fn of_inside<S: Surface>(
@@ -66,10 +65,10 @@ impl Exit {
             let feet = feet.of_inside(surface, point, faces.iter(), reach).iter();
             for exit in feet.filter(|foot| -foot.separation > seen).map(Self::of_foot) {
                 let way = best.get_or_insert(Self { outward, place, ..exit });
-                looks += 1;
-                if tries == TRIES_MAX || looks > LOOKS_MAX {
+                if tries == TRIES_MAX || looks == LOOKS_MAX {
                     return best;
                 }
+                looks += 1;
                 let depth = depth(&exit);
                 if depth <= least {
                     tries += 1;
@@ -78,7 +77,7 @@ impl Exit {
                     }
                 }
             }
-            let is_done = best.is_some() && reach >= least;
+            let is_done = tries == TRIES_MAX || best.is_some() && reach >= least;
             if is_done || reach == REACH_MAX || around.contains(&bounds) {
                 return best;
             }

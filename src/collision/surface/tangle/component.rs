@@ -30,6 +30,8 @@ pub(super) struct Component {
     largest: u128,
     /// How long its lines are.
     length: u128,
+    /// Whether some of them have ends.
+    is_open: bool,
     /// How far beside its place B was looked at.
     shift: Vec3,
 }
@@ -62,8 +64,12 @@ pub(super) fn components<A: Surface, B: Surface>(
     let mut place = |number: u32| places[groups.root(number) as usize];
     // Lines run along the product of normals: turned with one surface, not with both.
     let way = if a.is_turned == b.is_turned { 1 } else { -1 };
-    for (line, area) in areas(contour, &lines) {
+    let is_end = ends(contour);
+    for (line, area) in areas(contour, &lines, &is_end) {
         components[place(line)].add(area.map(|c| way * c));
+    }
+    for (number, _) in (0..).zip(&is_end).filter(|(_, is_end)| **is_end) {
+        components[place(number)].is_open = true;
     }
     for link in links {
         let component = &mut components[place(link.knots[0])];
@@ -87,16 +93,21 @@ pub(super) fn components<A: Surface, B: Surface>(
     components
 }
 
+/// Which knots are ends of lines.
+fn ends(contour: &Contour) -> Vec<bool> {
+    let mut is_end = vec![false; contour.knots.len()];
+    for knot in contour.links.iter().flat_map(|link| link.knots) {
+        is_end[knot as usize] ^= true;
+    }
+    is_end
+}
+
 /// Twice the area of every line, which is named by its lowest knot. `lines` tells that of each
 /// knot.
 ///
 /// The area of an open line is that which the chord between its ends closes: from an end, the chord
 /// adds nothing.
-fn areas(contour: &Contour, lines: &[u32]) -> Vec<(u32, [i128; 3])> {
-    let mut is_end = vec![false; lines.len()];
-    for knot in contour.links.iter().flat_map(|link| link.knots) {
-        is_end[knot as usize] ^= true;
-    }
+fn areas(contour: &Contour, lines: &[u32], is_end: &[bool]) -> Vec<(u32, [i128; 3])> {
     let rank = |knot: u32| (!is_end[knot as usize], contour.knots[knot as usize].position);
     let mut origins: Vec<_> = (0..).take(lines.len()).collect();
     for (knot, &line) in (0..).zip(lines) {
@@ -145,27 +156,35 @@ impl Component {
         if is_through { None } else { UnitVec3::normalize_wide(self.area) }
     }
 
-    /// Whether one surface has vertices inside to which none of its edges leads from here: where a
-    /// hollow of the other cuts a hole into a face, what is around the hole is inside. `normal` is
-    /// the direction of the area.
+    /// Whether a hollow of one surface cuts holes into faces of the other, and nothing else: what
+    /// is around them is inside, but no edge leads there from here. `normal` is the direction of
+    /// the area.
     pub(super) fn hides<A: Surface, B: Surface>(
         &self,
         (a, b): (&View<A>, &View<B>),
         normal: UnitVec3,
     ) -> bool {
-        let [of_a, of_b] = &self.rims;
-        // What cuts a hole that is inside leads B against the normal of its face.
+        // What cuts out something that is inside leads B against the normal of its face. What is
+        // bent and open may be bent either way.
         let along = |outward: UnitVec3| dot_wide(outward.raw(), normal.raw());
         let is_around_a = |&face: &u32| normal_of(a, face).is_some_and(|n| along(n) < 0);
         let is_around_b = |&face: &u32| normal_of(b, face).is_some_and(|n| along(n) > 0);
-        self.is_cut_in_faces(0) && of_a.iter().all(is_around_a)
-            || self.is_cut_in_faces(1) && of_b.iter().all(is_around_b)
+        let [of_a, of_b] = &self.rims;
+        !self.is_open
+            && (self.is_cut_in_faces(0) && of_a.iter().all(is_around_a)
+                || self.is_cut_in_faces(1) && of_b.iter().all(is_around_b))
     }
 
     /// Whether no edge of A (0) or of B (1) goes in or out, and no vertex is inside.
     fn is_cut_in_faces(&self, k: usize) -> bool {
         let is_face = |knot: &Knot| knot.features[k].kind() == FeatureKind::Face;
         self.inside[k].is_empty() && self.knots.iter().all(is_face)
+    }
+
+    /// A point of A (0) or of B (1): a vertex inside of the other one, or else on its surface.
+    pub(super) fn of(&self, k: usize) -> Vec3 {
+        let vertex = self.inside[k].first().map(|&(_, position)| position);
+        vertex.unwrap_or_else(|| self.knots.first().map_or(Vec3::ZERO, |knot| self.place(k, knot)))
     }
 
     /// Where a knot is on A, and where on B.

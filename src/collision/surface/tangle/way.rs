@@ -7,7 +7,7 @@ use super::component::Component;
 use super::view::View;
 use super::wholes::Wholes;
 use crate::collision::surface::DEPTH_MAX;
-use crate::collision::surface::contains::is_within;
+use crate::collision::surface::contains::is_in_solid;
 use crate::collision::surface::feet::normal_of;
 use crate::collision::surface::manifolds::grown;
 use crate::collision::surface::proximity::scaled;
@@ -57,7 +57,7 @@ fn rank(normal: UnitVec3) -> UnitVec3 {
 /// the nearest to the area.
 ///
 /// Where that is no farther than [`DEPTH_MAX`] along the area, no other is looked for: as a rule
-/// something rests there.
+/// something rests there, on a floor or in a corner.
 ///
 /// If none frees any, it is the shortest that parts all that hangs together with the component:
 /// along the area, such a normal, or an axis. That may be farther than needed: if it is more than
@@ -79,8 +79,8 @@ pub(super) fn way_out<A: Surface, B: Surface>(
     // What is farther away than a surface is moved does not belong to this part.
     let sinks = |way: &Way| {
         let out = beyond(way.normal, way.depth);
-        let [rim_a, rim_b] = &component.rims;
-        leads_into(a, (b, rim_b), out) || leads_into(b, (a, rim_a), out.map(|c| -c))
+        is_sunk(a.surface, component.of(1), out)
+            || is_sunk(b.surface, component.of(0), out.map(|c| -c))
     };
     let mut frees = |way: &Way| {
         let around = grown(&bounds, way.depth);
@@ -89,6 +89,10 @@ pub(super) fn way_out<A: Surface, B: Surface>(
         a.faces_near(&around, &mut of_a);
         !sinks(way) && (is_free((b, &of_b), out, a) || is_free((a, &of_a), out.map(|c| -c), b))
     };
+    let sooner = along_area.map(|way| Way { depth: DEPTH_MAX, levels: None, ..way });
+    if let Some(way) = sooner.filter(&mut frees) {
+        return way;
+    }
     let along = |normal: &UnitVec3| area.map_or(0, |area| dot_wide(area.raw(), normal.raw()));
     let mut normals = Vec::new();
     for (k, faces) in component.rims.iter().enumerate() {
@@ -111,26 +115,21 @@ pub(super) fn way_out<A: Surface, B: Surface>(
     normals.extend(area);
     let apart = apart(wholes, component, &normals);
     // Below 2^62.
-    let is_near = |way: &Way| way.depth.raw() < apart.depth.raw() / 2 && !sinks(way);
+    let is_near = |way: &Way| way.depth.raw() < apart.depth.raw() / 2;
+    let is_near = |way: &Way| is_near(way) && !sinks(way);
     along_area.filter(is_near).unwrap_or(apart)
 }
 
-/// Whether a way leads what has such faces into a closed one-sided surface, where it would meet
-/// nothing either.
-fn leads_into<S: Surface, T: Surface>(
-    solid: &S,
-    (surface, rim): (&T, &[u32]),
-    way: [i64; 3],
-) -> bool {
-    let is_solid = solid.is_closed() && !solid.is_two_sided();
-    let corner = rim.first().map(|&face| surface.position(surface.corners(face)[0]));
-    // Corners are within 2^60 and move by less than 2^62.
-    let moved = corner.map(|corner| Vec3::from_raw(add(corner.raw(), way)));
-    is_solid && moved.is_some_and(|moved| is_within(solid, moved))
+/// Whether a point, moved by a way, is inside a closed one-sided surface: what meets nothing there
+/// is not free. What is turned inside out, as a room may be, is solid nowhere.
+fn is_sunk<S: Surface>(surface: &S, point: Vec3, way: [i64; 3]) -> bool {
+    let is_solid = surface.is_closed() && !surface.is_two_sided();
+    // Points are within 2^60 and move by less than 2^62.
+    is_solid && is_in_solid(surface, Vec3::from_raw(add(point.raw(), way)))
 }
 
 /// A way that frees, cut short where surfaces are hollow, as in a corner, and come apart sooner
-/// than as far as they reach: it is too long by a sixteenth at most.
+/// than as far as they reach: it is too long by a sixteenth, or no longer than [`DEPTH_MAX`].
 fn shortened(way: Way, mut frees: impl FnMut(&Way) -> bool) -> Way {
     let shorter = |depth: i64| Way { depth: Real::from_raw(depth), levels: None, ..way };
     let mut least = shorter(way.depth.raw() - way.depth.raw() / 16);
@@ -138,7 +137,7 @@ fn shortened(way: Way, mut frees: impl FnMut(&Way) -> bool) -> Way {
         return way;
     }
     let mut short = 0;
-    while least.depth.raw() - short > least.depth.raw() / 16 {
+    while least.depth > DEPTH_MAX && least.depth.raw() - short > least.depth.raw() / 16 {
         let middle = shorter(short + (least.depth.raw() - short) / 2);
         if frees(&middle) {
             least = middle;
