@@ -46,8 +46,8 @@ fn part<A: Surface, B: Surface>(
     face: u32,
 ) -> Option<(UnitVec3, Vec<Contact>)> {
     let is_outside = |point: Vec3| !is_within(outer, point);
-    let start = inner.position(inner.corners(face)[0]);
-    if is_outside(start) {
+    let corners = inner.corners(face).map(|vertex| inner.position(vertex));
+    if corners.into_iter().any(is_outside) {
         return None;
     }
     // What only touches may be partly outside, or as a whole, with all vertices on the surface.
@@ -56,7 +56,7 @@ fn part<A: Surface, B: Surface>(
     if points.clone().any(is_outside) || !points.any(|point| is_inside(outer, point)) {
         return None;
     }
-    let exit = exit(outer, inner, &shell, start)?;
+    let exit = exit(outer, inner, &shell, corners[0])?;
     let deepest = deepest(&exit, &shell);
     let contacts = shell.vertices.iter().filter_map(|&(vertex, point)| {
         let separation = -exit.depth(point);
