@@ -9,7 +9,6 @@ use verlock::collision::{
 };
 use verlock::geometry::{HalfSpace, Segment, Sphere, TriangleMesh};
 use verlock::math::{Pcg, Real, UnitVec3};
-use verlock::real;
 use verlock::store::Handle;
 
 use super::{Draw, KINDS};
@@ -261,19 +260,6 @@ fn what_is_out_of_range_is_refused() {
     assert_eq!(set.set_shape(id, beyond), Err(ColliderError::OutOfRange));
     assert_eq!(set.overlaps(&beyond.into(), &Filter::ALL), [id]);
     assert_eq!(ColliderError::OutOfRange.to_string(), "collider is out of range");
-}
-
-/// All at one place may touch, but nobody asked for the pairs.
-#[test]
-fn many_may_be_at_one_place() {
-    let mut set = Colliders::new();
-    let ball = Sphere::new(Vec3::ZERO, real!("1")).expect("legal");
-    for _ in 0..5000 {
-        set.insert(ball.into()).expect("room");
-    }
-    let up = Segment::new([Vec3::ZERO, Vec3::Y]).expect("in range");
-    let first = set.iter().next().map(|(id, _)| id);
-    assert_eq!(set.cast_segment_first(&up, &Filter::ALL).map(|hit| hit.0), first);
 }
 
 /// Of two hits at a time the first counts, also where a mesh is searched part by part, and large

@@ -182,7 +182,7 @@ impl Component {
     }
 
     /// A point of A (0) or of B (1): a vertex inside of the other one, or else on its surface.
-    pub(super) fn of(&self, k: usize) -> Vec3 {
+    pub(super) fn sample(&self, k: usize) -> Vec3 {
         let vertex = self.inside[k].first().map(|&(_, position)| position);
         vertex.unwrap_or_else(|| self.knots.first().map_or(Vec3::ZERO, |knot| self.place(k, knot)))
     }

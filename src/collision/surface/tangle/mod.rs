@@ -69,7 +69,10 @@ impl Tangle {
             b.shift = shift(&a, &b, pairs);
             contour = Contour::new(&a, &b, pairs);
         }
-        tangle.crosses = !contour.links.is_empty();
+        if contour.links.is_empty() {
+            return tangle;
+        }
+        tangle.crosses = true;
         let told = Told::of(proximities);
         for (component, way) in parts(a, b, &contour) {
             let own = component.features();
@@ -124,7 +127,7 @@ fn parts<A: Surface, B: Surface>(
     let mut wholes_b = Wholes::new(View { shift: Vec3::ZERO, ..b });
     for turns in 0..4 {
         let [turn_a, turn_b] = [turns & 1 == 1, turns & 2 == 2];
-        if contour.links.is_empty() || turn_a && !a.is_two_sided() || turn_b && !b.is_two_sided() {
+        if turn_a && !a.is_two_sided() || turn_b && !b.is_two_sided() {
             continue;
         }
         let (a, b) = (View { is_turned: turn_a, ..a }, View { is_turned: turn_b, ..b });

@@ -62,7 +62,7 @@ fn rank(normal: UnitVec3) -> UnitVec3 {
 /// If none frees any, it is the shortest that parts all that hangs together with the component:
 /// along the area, such a normal, or an axis. That may be farther than needed: if it is more than
 /// twice as far as the component reaches along the area, it is along the area, which frees a part
-/// at least, unless the component [hides](Component::hides) what is inside.
+/// at least, unless it would sink it, or the component [hides](Component::hides) what is inside.
 pub(super) fn way_out<A: Surface, B: Surface>(
     (a, b): (&View<A>, &View<B>),
     component: &Component,
@@ -76,12 +76,12 @@ pub(super) fn way_out<A: Surface, B: Surface>(
     }
     let bounds = component.bounds();
     let (mut of_a, mut of_b) = (Vec::new(), Vec::new());
-    // What is farther away than a surface is moved does not belong to this part.
     let sinks = |way: &Way| {
         let out = beyond(way.normal, way.depth);
-        is_sunk(a.surface, component.of(1), out)
-            || is_sunk(b.surface, component.of(0), out.map(|c| -c))
+        is_sunk(a.surface, component.sample(1), out)
+            || is_sunk(b.surface, component.sample(0), out.map(|c| -c))
     };
+    // What is farther away than a surface is moved does not belong to this part.
     let mut frees = |way: &Way| {
         let around = grown(&bounds, way.depth);
         let out = beyond(way.normal, way.depth);
@@ -116,8 +116,7 @@ pub(super) fn way_out<A: Surface, B: Surface>(
     let apart = apart(wholes, component, &normals);
     // Below 2^62.
     let is_near = |way: &Way| way.depth.raw() < apart.depth.raw() / 2;
-    let is_near = |way: &Way| is_near(way) && !sinks(way);
-    along_area.filter(is_near).unwrap_or(apart)
+    along_area.filter(|way| is_near(way) && !sinks(way)).unwrap_or(apart)
 }
 
 /// Whether a point, moved by a way, is inside a closed one-sided surface: what meets nothing there
