@@ -259,6 +259,22 @@ fn what_has_a_hole_cut_by_a_corner_is_deep() {
     }
 }
 
+/// It reaches 1 m from its middle along each axis.
+fn octahedron(middle: [f64; 3]) -> Solid {
+    let tip = |k: usize| {
+        let mut tip = middle;
+        tip[k / 2] += if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+        tip
+    };
+    let mut faces = Vec::new();
+    for k in 0..8_u32 {
+        let [x, y, z] = [k & 1, 2 + (k >> 1 & 1), 4 + (k >> 2)];
+        let is_turned = k.count_ones() % 2 == 1;
+        faces.push(if is_turned { [x, z, y] } else { [x, y, z] });
+    }
+    Solid { vertices: (0..6).map(tip).collect(), faces }
+}
+
 /// What is inside just below the surface is led all of the way out.
 #[test]
 fn what_is_just_inside_is_led_out() {
@@ -268,12 +284,18 @@ fn what_is_just_inside_is_led_out() {
         let deepest = found(&body.into(), &solid).iter().map(Manifold::separation).min();
         assert!(deepest < Some(real!("-1")), "{below}: {deepest:?}");
     }
-    // Flush, whichever vertex comes first.
+    // Flush, or up to a tip, whichever vertex comes first.
     let cube = Solid::cuboid([-0.5, 4.0, -0.5], [0.5, 5.0, 0.5]);
-    for first in 0..cube.faces.len() {
-        let mut body = cube.clone();
-        body.faces.rotate_left(first);
-        let deepest = found(&body.shape().into(), &solid).iter().map(Manifold::separation).min();
-        assert!(deepest <= Some(real!("-1")), "{first}: {deepest:?}");
+    for (body, depth) in [(cube, real!("1")), (octahedron([0.3, 4.0, 0.2]), real!("2"))] {
+        for first in 0..body.faces.len() {
+            for corner in 0..3 {
+                let mut body = body.clone();
+                body.faces.rotate_left(first);
+                body.faces.iter_mut().for_each(|face| face.rotate_left(corner));
+                let found = found(&body.shape().into(), &solid);
+                let deepest = found.iter().map(Manifold::separation).min();
+                assert!(deepest <= Some(-depth), "{first} {corner}: {deepest:?}");
+            }
+        }
     }
 }
