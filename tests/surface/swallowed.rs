@@ -285,8 +285,9 @@ fn what_is_just_inside_is_led_out() {
         assert!(deepest < Some(real!("-1")), "{below}: {deepest:?}");
     }
     // Flush, or up to a tip, whichever vertex comes first.
-    let cube = Solid::cuboid([-0.5, 4.0, -0.5], [0.5, 5.0, 0.5]);
-    for (body, depth) in [(cube, real!("1")), (octahedron([0.3, 4.0, 0.2]), real!("2"))] {
+    let cube = |y: f64| (Solid::cuboid([-0.5, y - 0.5, -0.5], [0.5, y + 0.5, 0.5]), real!("1"));
+    let tips = |y: f64| (octahedron([0.3, y, 0.2]), real!("2"));
+    for (body, depth) in [cube(4.5), cube(-4.5), tips(4.0), tips(-4.0)] {
         for first in 0..body.faces.len() {
             for corner in 0..3 {
                 let mut body = body.clone();
