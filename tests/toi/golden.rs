@@ -26,5 +26,5 @@ fn times_are_as_accepted() {
             }
         }
     }
-    assert_eq!(Hash::of(&bytes).to_string(), "47cc284a0517721d00461c0d0bbca5d0");
+    assert_eq!(Hash::of(&bytes).to_string(), "34d742d1467764f3061156729d815cff");
 }

@@ -43,9 +43,11 @@ enum Class {
     Sliding,
     /// Corners close to one another, far motions.
     Needles,
+    /// Onto a point that both have in common, its time and weights of few bits: between boxes.
+    Struck,
 }
 
-const CLASSES: [Class; 8] = [
+const CLASSES: [Class; 9] = [
     Class::Any,
     Class::Rigid,
     Class::Slow,
@@ -54,6 +56,7 @@ const CLASSES: [Class; 8] = [
     Class::Aimed,
     Class::Sliding,
     Class::Needles,
+    Class::Struck,
 ];
 
 impl Class {
@@ -98,7 +101,35 @@ impl Class {
                 let by = [near(size), near(size)];
                 [0, 1, 2, 3].map(|k| moved(places[k], by[usize::from(k > 1)]))
             }
+            Self::Struck => {
+                let [time, weight, share] = near(4).map(i64::abs);
+                let places = [(); 4].map(|()| near(1).map(|c| 8 * c));
+                let places = struck(places, weight, share, near(1)[0]);
+                places.map(|place| {
+                    // Some come from far away.
+                    let far = if near(1)[0] < 0 { size / 64 + 1 } else { 1 };
+                    let by = near(far);
+                    [time, time - 4].map(|ago| [0, 1, 2].map(|k| place[k] - ago * by[k]))
+                })
+            }
         }
+    }
+}
+
+/// Features that share a point: the first corner lies on an edge of the face of the others, or
+/// within that face, or the first edge crosses or reaches the second. Places are multiples of 8.
+fn struck(places: [[i64; 3]; 4], weight: i64, share: i64, way: i64) -> [[i64; 3]; 4] {
+    let [p, q, r, s] = places;
+    let between = |a: [i64; 3], b: [i64; 3], weight: i64| {
+        [0, 1, 2].map(|k| (a[k] * (4 - weight) + b[k] * weight) / 4)
+    };
+    let place = between(r, s, weight);
+    match (way, share) {
+        (0, 1..) => [p, [0, 1, 2].map(|k| p[k] + share * (place[k] - p[k])), r, s],
+        (-1, 1) => [place, s, q, r],
+        (-1, 2) => [place, r, s, q],
+        (-1, 3) => [between(place, q, 2), q, r, s],
+        _ => [place, q, r, s],
     }
 }
 

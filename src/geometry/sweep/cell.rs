@@ -1,5 +1,7 @@
 //! Boxes of times and places.
 
+use core::cmp::Ordering;
+
 use crate::math::Unit;
 
 /// A box in `[0, 1]^3` of t, u and v that halving has led to: along each axis from
@@ -94,10 +96,11 @@ impl Cell {
         if cfg!(planted) { false } else { end >> self.levels[0] == 1 }
     }
 
-    /// Whether no more of it than a corner is where `u + v <= 1`. Boxes below hold that corner too.
+    /// Where `u + v` is least, compared with 1: no more of it than a corner is in the triangle if
+    /// equal, and nothing if greater.
     #[inline]
-    pub(super) fn is_beyond(&self) -> bool {
+    pub(super) fn reach(&self) -> Ordering {
         // Each is at most 2^30.
-        self.low(1) + self.low(2) >= 1 << Self::LEVEL_MAX
+        (self.low(1) + self.low(2)).cmp(&(1 << Self::LEVEL_MAX))
     }
 }

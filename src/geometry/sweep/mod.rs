@@ -70,9 +70,10 @@ pub struct Sweep {
 /// That two moving features may touch, and not before when.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Impact {
-    /// They do not touch before, as a fraction of the step in 0..=1. If they touch, it is the time
-    /// of the first contact rounded down to 2^-30, or less where `is_cut`; otherwise they come
-    /// nearer than can be told apart.
+    /// They do not touch before, as a fraction of the step in 0..=1. Usually it is the time of the
+    /// first contact rounded down to 2^-30. It is less where `is_cut`, and where they come nearer
+    /// before than can be told apart, even if they never touch: about 2^-30 of their sizes and
+    /// ways.
     pub time: Unit,
     /// Where, rounded likewise: the weights of the second and the third corner of a face; or how
     /// far along edge A and along edge B.

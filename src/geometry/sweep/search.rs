@@ -81,7 +81,12 @@ fn descend(relation: &Relation, all: Cell, work_max: u32, until: Unit) -> Option
             continue;
         };
         for is_upper in [true, false] {
-            let half = look(relation, cell.half(axis, is_upper), is_narrow, &mut work);
+            let half = cell.half(axis, is_upper);
+            if relation.is_triangle() && half.reach().is_eq() && cell.reach().is_lt() {
+                // The lower half has that corner too.
+                continue;
+            }
+            let half = look(relation, half, is_narrow, &mut work);
             open.extend(half.filter(|half| half.cell.time() <= latest));
         }
     }
@@ -93,7 +98,7 @@ fn descend(relation: &Relation, all: Cell, work_max: u32, until: Unit) -> Option
 #[inline]
 fn look(relation: &Relation, mut cell: Cell, mut is_narrow: bool, work: &mut u32) -> Option<Open> {
     loop {
-        if relation.is_triangle() && cell.is_beyond() {
+        if relation.is_triangle() && cell.reach().is_gt() {
             return None;
         }
         *work = work.saturating_add(1);
