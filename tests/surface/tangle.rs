@@ -394,3 +394,40 @@ fn bent_sheets_stand_on_floors() {
         }
     }
 }
+
+/// How deep a box is in a solid does not depend on which comes first, nor on how faces and vertices
+/// are numbered.
+#[test]
+fn names_and_order_do_not_matter() {
+    let deepest = |a: &Shape, b: &Shape| {
+        manifolds(a, b).iter().map(|m| metres(-m.separation())).fold(0.0, f64::max)
+    };
+    let mut rng = Pcg::new(5, 0);
+    let (mut deep, mut off) = (0, Vec::new());
+    for (solid, tilt) in [(8, 0.0), (16, 3.0), (8, 3.0)].map(|(n, tilt)| (Solid::ring(n), tilt)) {
+        let solid: Shape = solid.shape().into();
+        for _ in 0..1000 {
+            let way = [(); 3].map(|()| 1.2 * number(&mut rng));
+            let half = [(); 3].map(|()| 0.05 + 0.9 * number(&mut rng).abs());
+            let axis = direction(&mut rng);
+            let place = Place { axis, angle: tilt * number(&mut rng), way };
+            let mut body = Solid::cuboid(half.map(|c| -c), half);
+            body.vertices.iter_mut().for_each(|p| *p = place.of(*p));
+            let mut renamed = body.clone();
+            renamed.vertices.reverse();
+            renamed.faces.rotate_left(5);
+            renamed.faces.iter_mut().for_each(|face| *face = face.map(|vertex| 7 - vertex));
+            renamed.faces.iter_mut().for_each(|face| face.rotate_left(1));
+            let [body, renamed] = [body, renamed].map(|solid| Shape::from(solid.shape()));
+            let depth = deepest(&solid, &body);
+            deep += i32::from(depth > 0.01);
+            let others =
+                [deepest(&body, &solid), deepest(&solid, &renamed), deepest(&renamed, &solid)];
+            if others.iter().any(|other| (other - depth).abs() > 0.0001) {
+                off.push((depth, others, place, half));
+            }
+        }
+    }
+    assert!(deep > 2000, "{deep}");
+    assert!(off.is_empty(), "{} of {deep}: {off:?}", off.len());
+}

@@ -74,8 +74,7 @@ fn no_contact_of_a_million_is_missed_or_late() {
 }
 
 /// Where boxes are not halved but narrowed, one that has only a corner in the face may be all that
-/// is left of those that meet there: here in the middle of the edge from the second corner to the
-/// third.
+/// is left of those that meet there: here on the edge from the second corner to the third.
 #[test]
 fn a_contact_between_boxes_is_not_missed() {
     let struck = [

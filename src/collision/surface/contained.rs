@@ -13,12 +13,17 @@ use crate::math::wide::add;
 use crate::math::{Real, UnitVec3, Vec3};
 
 /// The normal and the contacts of each shell of two surfaces that is inside the other surface as a
-/// whole; a shell is what hangs together. The surfaces must not intersect.
+/// whole; a shell is what hangs together. `rims` are the faces of both that intersect others.
 ///
 /// O(log n) for each shell of n faces if the other surface is closed and one-sided and the boxes
-/// around both meet; for each that is inside O(n log n), and as much again for each place tried.
-pub(super) fn contained<A: Surface, B: Surface>(a: &A, b: &B) -> Vec<(UnitVec3, Vec<Contact>)> {
-    let mut parts = within(b, a);
+/// around both meet; O(n log n) for each whose first face is inside or only touches, and for each
+/// that is inside as much again for each place tried.
+pub(super) fn contained<A: Surface, B: Surface>(
+    a: &A,
+    b: &B,
+    rims: &[Vec<u32>; 2],
+) -> Vec<(UnitVec3, Vec<Contact>)> {
+    let mut parts = within(b, a, &rims[0]);
     for (normal, contacts) in &mut parts {
         *normal = -*normal;
         for Contact { features, on_a, on_b, .. } in contacts {
@@ -26,17 +31,23 @@ pub(super) fn contained<A: Surface, B: Surface>(a: &A, b: &B) -> Vec<(UnitVec3, 
             core::mem::swap(on_a, on_b);
         }
     }
-    parts.extend(within(a, b));
+    parts.extend(within(a, b, &rims[1]));
     parts
 }
 
 /// The same of the second only.
-fn within<A: Surface, B: Surface>(outer: &A, inner: &B) -> Vec<(UnitVec3, Vec<Contact>)> {
+fn within<A: Surface, B: Surface>(
+    outer: &A,
+    inner: &B,
+    rim: &[u32],
+) -> Vec<(UnitVec3, Vec<Contact>)> {
     let is_solid = outer.is_closed() && !outer.is_two_sided();
-    if !is_solid || !outer.bounds().overlaps(&inner.bounds()) {
+    let shells = inner.shells();
+    let all_intersect = shells.len() == 1 && !rim.is_empty();
+    if !is_solid || all_intersect || !outer.bounds().overlaps(&inner.bounds()) {
         return Vec::new();
     }
-    inner.shells().iter().filter_map(|&face| part(outer, inner, face)).collect()
+    shells.iter().filter_map(|&face| part(outer, inner, face, rim)).collect()
 }
 
 /// The same of the shell that holds a face.
@@ -44,6 +55,7 @@ fn part<A: Surface, B: Surface>(
     outer: &A,
     inner: &B,
     face: u32,
+    rim: &[u32],
 ) -> Option<(UnitVec3, Vec<Contact>)> {
     let is_outside = |point: Vec3| !is_within(outer, point);
     let corners = inner.corners(face).map(|vertex| inner.position(vertex));
@@ -52,6 +64,9 @@ fn part<A: Surface, B: Surface>(
     }
     // What only touches may be partly outside, or as a whole, with all vertices on the surface.
     let shell = Shell::of(inner, &[face]);
+    if shell.faces.iter().any(|face| rim.binary_search(face).is_ok()) {
+        return None;
+    }
     let mut points = shell.vertices.iter().map(|&(_, point)| point);
     if points.clone().any(is_outside) || !points.any(|point| is_inside(outer, point)) {
         return None;

@@ -40,9 +40,10 @@ impl Exit {
 
     /// The way out of a closed one-sided surface for what is in a box, of which a point is inside:
     /// through a place behind which this point is. Of the first 256, from near to far, up to 16 are
-    /// tried: those that are no deeper than the way out of the box around the surface, nor than one
-    /// that was found. It is the one that `leads_out` and has the least `depth`, or else the way
-    /// out of the box. `None` if the point is behind no place within [`REACH_MAX`].
+    /// tried: those that are no deeper than the way out of the box around the surface, and
+    /// shallower than those that were found. It is the one that `leads_out` and has the least
+    /// `depth`, or else the way out of the box. `None` if the point is behind no place within
+    /// [`REACH_MAX`].
     ///
     /// What is nearest may not lead out: another shell may be there, or not enough room.
     pub(super) fn of_inside<S: Surface>(
@@ -77,7 +78,8 @@ impl Exit {
                     }
                 }
             }
-            let is_done = tries == TRIES_MAX || best.is_some() && reach >= least;
+            let is_tired = tries == TRIES_MAX || looks == LOOKS_MAX;
+            let is_done = is_tired || best.is_some() && reach >= least;
             if is_done || reach == REACH_MAX || around.contains(&bounds) {
                 return best;
             }

@@ -28,11 +28,11 @@ use crate::math::{Real, Vec3};
 /// needed too. O(k log k) for k faces near one another and all vertices inside, and for all n
 /// faces O(n log n) for each part that nothing near is a way out of.
 ///
-/// If they do not intersect, each shell of one, which is what hangs together, that is inside the
-/// other, which is closed and one-sided, is pushed out as a whole: through the nearest place that
-/// leaves it free, or out of the box around the other. That is O(log n) for each shell, and for
-/// each that is inside O(n log n) for all n faces and each place that is tried, 16 at most, and
-/// O(n) for each that is looked at, 256 at most.
+/// Each shell of one, which is what hangs together, that does not intersect the other but is inside
+/// of it, which is closed and one-sided, is pushed out as a whole: through the nearest place that
+/// leaves it free, or out of the box around the other. That is O(log n) for each shell, O(n log n)
+/// for each whose first face is inside or flush, and for each that is inside as much for each place
+/// that is tried, 16 at most, and O(n) for each that is looked at, 256 at most.
 pub fn manifolds_mesh_mesh(a: &MeshShape, b: &MeshShape, margin: Real, out: &mut Vec<Manifold>) {
     let mut pairs = Vec::new();
     a.tree().near_pairs(b.tree(), reach(margin), &mut pairs);
@@ -147,19 +147,16 @@ fn of_pairs<A: Surface, B: Surface>(
     name: impl Fn(FeatureId) -> FeatureId,
     out: &mut Vec<Manifold>,
 ) {
-    let (mut found, mut parts, mut crosses) = (Vec::new(), Vec::new(), false);
+    let (mut found, mut tangle) = (Vec::new(), Tangle::default());
     if !pairs.is_empty() {
         found = NearSurfaces::new(a, b, pairs, margin).proximities();
-        let tangle = Tangle::new((a, b), pairs, &found);
+        tangle = Tangle::new((a, b), pairs, &found);
         found.retain(|proximity| !tangle.covers(proximity));
-        (parts, crosses) = (tangle.parts, tangle.crosses);
     }
-    if parts.is_empty() && !crosses {
-        parts = contained(a, b);
-        // What leads it deeper is no contact before it is out.
-        let leads = |one: &Proximity| !parts.iter().any(|part| is_against(one.normal, part.0));
-        found.retain(leads);
-    }
+    let mut parts = contained(a, b, &tangle.rims);
+    // What leads it deeper is no contact before it is out.
+    found.retain(|one| !parts.iter().any(|part| is_against(one.normal, part.0)));
+    parts.append(&mut tangle.parts);
     for proximity in &mut found {
         let [feature, _] = &mut proximity.contact.features;
         *feature = name(*feature);

@@ -181,10 +181,12 @@ impl Component {
         self.inside[k].is_empty() && self.knots.iter().all(is_face)
     }
 
-    /// A point of A (0) or of B (1): a vertex inside of the other one, or else on its surface.
+    /// A point of A (0) or of B (1), whatever things are called: of the vertices inside of the
+    /// other one, or else of the knots, the first by place.
     pub(super) fn sample(&self, k: usize) -> Vec3 {
-        let vertex = self.inside[k].first().map(|&(_, position)| position);
-        vertex.unwrap_or_else(|| self.knots.first().map_or(Vec3::ZERO, |knot| self.place(k, knot)))
+        let vertex = self.inside[k].iter().map(|&(_, position)| position).min();
+        let knot = self.knots.iter().min_by_key(|knot| knot.position);
+        vertex.or(knot.map(|knot| self.place(k, knot))).unwrap_or(Vec3::ZERO)
     }
 
     /// Where a knot is on A, and where on B.

@@ -70,6 +70,16 @@ impl Contour {
         contour
     }
 
+    /// The faces of A and of B that its lines go through, sorted.
+    pub(super) fn rims(&self) -> [Vec<u32>; 2] {
+        [0, 1].map(|k| {
+            let mut rim: Vec<_> = self.links.iter().map(|link| link.faces[k]).collect();
+            rim.sort_unstable();
+            rim.dedup();
+            rim
+        })
+    }
+
     /// The number of a knot of it.
     pub(super) fn place(&self, knot: &Knot) -> u32 {
         // At most two for each of less than 2^31 pairs; every knot is there.

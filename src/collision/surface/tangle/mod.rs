@@ -50,8 +50,8 @@ pub(super) struct Tangle {
     pub(super) parts: Vec<(UnitVec3, Vec<Contact>)>,
     /// Sorted, as pairs of which and what: 0 for A, 1 for B.
     drowned: Vec<(u32, FeatureId)>,
-    /// Whether they intersect in lines.
-    pub(super) crosses: bool,
+    /// The faces of A and of B at which they intersect in lines, sorted.
+    pub(super) rims: [Vec<u32>; 2],
 }
 
 impl Tangle {
@@ -72,7 +72,7 @@ impl Tangle {
         if contour.links.is_empty() {
             return tangle;
         }
-        tangle.crosses = true;
+        tangle.rims = contour.rims();
         let told = Told::of(proximities);
         for (component, way) in parts(a, b, &contour) {
             let own = component.features();

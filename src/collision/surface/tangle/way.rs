@@ -56,7 +56,7 @@ fn rank(normal: UnitVec3) -> UnitVec3 {
 /// area of the contour, or along the normal of a face that the contour goes through. Of equal ones
 /// the nearest to the area.
 ///
-/// Where that is no farther than [`DEPTH_MAX`] along the area, no other is looked for: as a rule
+/// Where no more than [`DEPTH_MAX`] along the area is needed, no other is looked for: as a rule
 /// something rests there, on a floor or in a corner.
 ///
 /// If none frees any, it is the shortest that parts all that hangs together with the component:
@@ -76,10 +76,11 @@ pub(super) fn way_out<A: Surface, B: Surface>(
     }
     let bounds = component.bounds();
     let (mut of_a, mut of_b) = (Vec::new(), Vec::new());
-    let sinks = |way: &Way| {
-        let out = beyond(way.normal, way.depth);
-        is_sunk(a.surface, component.sample(1), out)
-            || is_sunk(b.surface, component.sample(0), out.map(|c| -c))
+    let sinks = |way: &Way, is_partial: bool| {
+        let [rim_a, rim_b] = &component.rims;
+        let back = Way { normal: -way.normal, ..*way };
+        leads_into(a.surface, (b.surface, rim_b), component.sample(1), way, is_partial)
+            || leads_into(b.surface, (a.surface, rim_a), component.sample(0), &back, is_partial)
     };
     // What is farther away than a surface is moved does not belong to this part.
     let mut frees = |way: &Way| {
@@ -87,7 +88,8 @@ pub(super) fn way_out<A: Surface, B: Surface>(
         let out = beyond(way.normal, way.depth);
         b.faces_near(&around, &mut of_b);
         a.faces_near(&around, &mut of_a);
-        !sinks(way) && (is_free((b, &of_b), out, a) || is_free((a, &of_a), out.map(|c| -c), b))
+        (is_free((b, &of_b), out, a) || is_free((a, &of_a), out.map(|c| -c), b))
+            && !sinks(way, true)
     };
     let sooner = along_area.map(|way| Way { depth: DEPTH_MAX, levels: None, ..way });
     if let Some(way) = sooner.filter(&mut frees) {
@@ -116,15 +118,32 @@ pub(super) fn way_out<A: Surface, B: Surface>(
     let apart = apart(wholes, component, &normals);
     // Below 2^62.
     let is_near = |way: &Way| way.depth.raw() < apart.depth.raw() / 2;
-    along_area.filter(|way| is_near(way) && !sinks(way)).unwrap_or(apart)
+    along_area.filter(|way| is_near(way) && !sinks(way, false)).unwrap_or(apart)
 }
 
-/// Whether a point, moved by a way, is inside a closed one-sided surface: what meets nothing there
-/// is not free. What is turned inside out, as a room may be, is solid nowhere.
-fn is_sunk<S: Surface>(surface: &S, point: Vec3, way: [i64; 3]) -> bool {
-    let is_solid = surface.is_closed() && !surface.is_two_sided();
+/// Whether a way leads a surface into a closed one-sided one, where it may meet nothing: whether it
+/// takes a point of the component inside, or the foremost corner of the faces that the contour goes
+/// through, which are often all of it. Between two walls the way out of one may lead as deep into
+/// the other. A corner that was inside does not count where the way `is_partial`: other parts lead
+/// it out. What is turned inside out, as a room may be, is solid nowhere.
+fn leads_into<S: Surface, T: Surface>(
+    solid: &S,
+    (surface, rim): (&T, &[u32]),
+    sample: Vec3,
+    way: &Way,
+    is_partial: bool,
+) -> bool {
+    if !solid.is_closed() || solid.is_two_sided() {
+        return false;
+    }
+    let out = beyond(way.normal, way.depth);
     // Points are within 2^60 and move by less than 2^62.
-    is_solid && is_in_solid(surface, Vec3::from_raw(add(point.raw(), way)))
+    let is_sunk = |point: Vec3| is_in_solid(solid, Vec3::from_raw(add(point.raw(), out)));
+    let corners = rim.iter().flat_map(|&face| surface.corners(face));
+    let corners = corners.map(|vertex| surface.position(vertex));
+    let foremost = corners.max_by_key(|&corner| (reach(way.normal, corner, sample), corner));
+    let counts = |corner: &Vec3| !is_partial || !is_in_solid(solid, *corner);
+    is_sunk(sample) || foremost.filter(counts).is_some_and(is_sunk)
 }
 
 /// A way that frees, cut short where surfaces are hollow, as in a corner, and come apart sooner
