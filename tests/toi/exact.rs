@@ -57,7 +57,8 @@ fn all(seed: u64, queries: u32) {
         for is_face in [true, false] {
             let tally = run(seed, class, is_face, queries);
             println!("{class:?} {}: {tally:?}", if is_face { "VF" } else { "EE" });
-            assert!(tally.hits > queries / 100, "{class:?} {is_face}: {tally:?}");
+            let least = if matches!(class, Class::Struck) { queries / 2 } else { queries / 100 };
+            assert!(tally.hits > least, "{class:?} {is_face}: {tally:?}");
         }
     }
 }

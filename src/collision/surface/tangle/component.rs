@@ -176,7 +176,7 @@ impl Component {
     }
 
     /// Whether no edge of A (0) or of B (1) goes in or out, and no vertex is inside.
-    fn is_cut_in_faces(&self, k: usize) -> bool {
+    pub(super) fn is_cut_in_faces(&self, k: usize) -> bool {
         let is_face = |knot: &Knot| knot.features[k].kind() == FeatureKind::Face;
         self.inside[k].is_empty() && self.knots.iter().all(is_face)
     }

@@ -76,11 +76,10 @@ pub(super) fn way_out<A: Surface, B: Surface>(
     }
     let bounds = component.bounds();
     let (mut of_a, mut of_b) = (Vec::new(), Vec::new());
-    let sinks = |way: &Way, is_partial: bool| {
-        let [rim_a, rim_b] = &component.rims;
+    let sinks = |way: &Way| {
         let back = Way { normal: -way.normal, ..*way };
-        leads_into(a.surface, (b.surface, rim_b), component.sample(1), way, is_partial)
-            || leads_into(b.surface, (a.surface, rim_a), component.sample(0), &back, is_partial)
+        leads_into(a.surface, b.surface, (component, 1), way)
+            || leads_into(b.surface, a.surface, (component, 0), &back)
     };
     // What is farther away than a surface is moved does not belong to this part.
     let mut frees = |way: &Way| {
@@ -88,8 +87,7 @@ pub(super) fn way_out<A: Surface, B: Surface>(
         let out = beyond(way.normal, way.depth);
         b.faces_near(&around, &mut of_b);
         a.faces_near(&around, &mut of_a);
-        (is_free((b, &of_b), out, a) || is_free((a, &of_a), out.map(|c| -c), b))
-            && !sinks(way, true)
+        (is_free((b, &of_b), out, a) || is_free((a, &of_a), out.map(|c| -c), b)) && !sinks(way)
     };
     let sooner = along_area.map(|way| Way { depth: DEPTH_MAX, levels: None, ..way });
     if let Some(way) = sooner.filter(&mut frees) {
@@ -118,20 +116,21 @@ pub(super) fn way_out<A: Surface, B: Surface>(
     let apart = apart(wholes, component, &normals);
     // Below 2^62.
     let is_near = |way: &Way| way.depth.raw() < apart.depth.raw() / 2;
-    along_area.filter(|way| is_near(way) && !sinks(way, false)).unwrap_or(apart)
+    along_area.filter(|way| is_near(way) && !sinks(way)).unwrap_or(apart)
 }
 
-/// Whether a way leads a surface into a closed one-sided one, where it may meet nothing: whether it
-/// takes a point of the component inside, or the foremost corner of the faces that the contour goes
-/// through, which are often all of it. Between two walls the way out of one may lead as deep into
-/// the other. A corner that was inside does not count where the way `is_partial`: other parts lead
-/// it out. What is turned inside out, as a room may be, is solid nowhere.
+/// Whether a way leads A (0) or B (1) into the other one, where it may meet nothing, if that is
+/// closed and one-sided: whether it takes a point of the component inside, or the foremost corner
+/// of the faces that the contour goes through, which are often all of it. Between two walls the way
+/// out of one may lead as deep into the other.
+///
+/// A corner that was inside is led out by another part, if there is an edge that tells. What is
+/// turned inside out, as a room may be, is solid nowhere.
 fn leads_into<S: Surface, T: Surface>(
     solid: &S,
-    (surface, rim): (&T, &[u32]),
-    sample: Vec3,
+    moved: &T,
+    (component, k): (&Component, usize),
     way: &Way,
-    is_partial: bool,
 ) -> bool {
     if !solid.is_closed() || solid.is_two_sided() {
         return false;
@@ -139,11 +138,14 @@ fn leads_into<S: Surface, T: Surface>(
     let out = beyond(way.normal, way.depth);
     // Points are within 2^60 and move by less than 2^62.
     let is_sunk = |point: Vec3| is_in_solid(solid, Vec3::from_raw(add(point.raw(), out)));
-    let corners = rim.iter().flat_map(|&face| surface.corners(face));
-    let corners = corners.map(|vertex| surface.position(vertex));
-    let foremost = corners.max_by_key(|&corner| (reach(way.normal, corner, sample), corner));
-    let counts = |corner: &Vec3| !is_partial || !is_in_solid(solid, *corner);
-    is_sunk(sample) || foremost.filter(counts).is_some_and(is_sunk)
+    let sample = component.sample(k);
+    let foremost = || {
+        let corners = component.rims[k].iter().flat_map(|&face| moved.corners(face));
+        let corners = corners.map(|vertex| moved.position(vertex));
+        corners.max_by_key(|&corner| (reach(way.normal, corner, sample), corner))
+    };
+    let is_left = |corner: &Vec3| component.is_cut_in_faces(k) || !is_in_solid(solid, *corner);
+    is_sunk(sample) || foremost().filter(is_left).is_some_and(is_sunk)
 }
 
 /// A way that frees, cut short where surfaces are hollow, as in a corner, and come apart sooner
